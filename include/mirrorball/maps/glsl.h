@@ -1,0 +1,25 @@
+// A map as GLSL, printed from the same formula that C++ runs.
+#pragma once
+
+#include <mirrorball/export.h>
+#include <mirrorball/maps/maps.h>
+
+#include <string>
+
+namespace mirrorball
+{
+
+enum class GlslVersion { glsl330, glsl400, glsl450, es300 };
+
+// "#version 330 core" and so on, with precision statements for es300, ending in a newline.
+MIRRORBALL_EXPORT std::string glslVersionLine(GlslVersion version);
+
+// Functions of one map, without a #version line. Every name begins with `prefix`:
+//     const int <prefix>components;
+//     int  <prefix>componentOf(vec3 direction)
+//     vec2 <prefix>squareFromDirection(int component, vec3 direction)      not clamped
+//     vec3 <prefix>directionFromSquare(int component, vec2 uv)             unit length
+//     vec3 <prefix>coordinateFromDirection(vec3 direction)                 (u, v, component), clamped; for sampler2DArray
+MIRRORBALL_EXPORT std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix = "mirrorball_");
+
+} // namespace mirrorball
