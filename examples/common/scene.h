@@ -15,9 +15,7 @@ namespace examples
 
 // Phong with one point light, the same in GLSL (phong.frag) and in the reference tracer, all linear RGB:
 //   d = diffuse * (the image at the texture coordinate, if any)
-//   N = the interpolated normal, unit length, turned to the side of the viewer
-//       (if dot(geometric normal of the triangle, viewer - p) and dot(N, viewer - p) … N is negated where
-//        dot(N, E) < 0, with E the unit vector to the viewer)
+//   E = unit vector to the viewer, N = the interpolated normal, unit length, negated where N·E < 0
 //   L = unit vector to the light, R = 2 (N·L) N − L
 //   colour = ambient * d + d * max(N·L, 0) + specular * (N·L > 0 ? max(R·E, 0)^shininess : 0)
 // Alpha = diffuse.a * image alpha; a fragment with alpha < 0.5 is not there at all.
@@ -68,9 +66,9 @@ struct Scene
 // Throws mirrorball::Error: unknownName for an unknown builtin, notFound, badFile (also: no triangle in it).
 Scene loadScene(const std::string& nameOrFile);
 
-// A reflector as triangles around the origin: "sphere:r" (geodesic, for pass 1 of others), "teapot" (the Utah
-// teapot from its Bézier patches), or any model file, centred on its bounding box's centre and scaled so that
-// its bounding sphere about that centre has radius 1 (sphere:r and teapot too before `r` / scale apply: see .cpp).
+// A reflector as triangles, moved so that the centre of its bounding box is the origin, in its own units otherwise:
+// "sphere:r" (radius r, finely tessellated), "teapot" (the Utah teapot evaluated from its Bézier patches, with analytic
+// normals, y up, in Newell's units: about 6.4 wide), or any model file (all its meshes joined).
 Mesh loadReflector(const std::string& name);
 
 } // namespace examples
