@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace examples
-{
+namespace examples {
 
 // Phong with one point light, the same in GLSL (phong.frag) and in the reference tracer, all linear RGB:
 //   d = diffuse * (the image at the texture coordinate, if any)
@@ -30,8 +29,8 @@ struct Material
 
 inline constexpr float ambient = 0.3f;
 
-// 8-bit RGBA, sRGB encoded colour and linear alpha; row 0 is texture coordinate v = 0. Sampled bilinearly on the
-// decoded (linear) values, repeating, without mipmaps.
+// 8-bit RGBA, sRGB encoded colour and linear alpha; row 0 is texture coordinate v = 0. Sampled bilinearly on
+// the decoded (linear) values, repeating, without mipmaps.
 struct Image
 {
     int width = 0;
@@ -55,9 +54,9 @@ struct Scene
     std::vector<Mesh> meshes; // drawn in this order; triangle numbers count through all of them from 0
     std::vector<Material> materials;
     std::vector<Image> images;
-    glm::vec3 background{0.0f};    // linear RGB where nothing is seen
-    glm::vec3 light{0.0f};         // default position of the light, before offset
-    glm::dvec3 offset{0.0};        // world = position + offset, in double
+    glm::vec3 background{0.0f}; // linear RGB where nothing is seen
+    glm::vec3 light{0.0f};      // default position of the light, before offset
+    glm::dvec3 offset{0.0};     // world = position + offset, in double
 
     std::size_t triangleCount() const;
 };
@@ -66,9 +65,10 @@ struct Scene
 // Throws mirrorball::Error: unknownName for an unknown builtin, notFound, badFile (also: no triangle in it).
 Scene loadScene(const std::string& nameOrFile);
 
-// A reflector as triangles, moved so that the centre of its bounding box is the origin, in its own units otherwise:
-// "sphere:r" (radius r, finely tessellated), "teapot" (the Utah teapot evaluated from its Bézier patches, with analytic
-// normals, y up, in Newell's units: about 6.4 wide), or any model file (all its meshes joined).
+// A reflector as triangles, moved so that the centre of its bounding box is the origin, in its own units
+// otherwise: "sphere:r" (radius r, finely tessellated), "teapot" (the Utah teapot evaluated from its Bézier
+// patches, with analytic normals, y up, in Newell's units: about 6.4 wide), or any model file (all its meshes
+// joined).
 Mesh loadReflector(const std::string& name);
 
 } // namespace examples

@@ -1,0 +1,80 @@
+#include "scene.h"
+
+#include "scene_file.h"
+#include "shapes.h"
+
+#include <mirrorball/error.h>
+
+#include <glm/common.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace examples {
+namespace {
+
+using mirrorball::Error;
+using mirrorball::ErrorKind;
+
+Mesh sphereReflector(const std::string& name)
+{
+    const std::string_view number = std::string_view(name).substr(name.find(':') + 1);
+    float radius = 0.0f;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), radius);
+    if (error == std::errc::invalid_argument || end != number.data() + number.size()) {
+        throw Error(ErrorKind::unknownName, "reflector " + name, "the radius is no number",
+                    "write sphere:1.5");
+    }
+    if (error != std::errc() || !std::isfinite(radius) || radius <= 0.0f) {
+        throw Error(ErrorKind::badArgument, "reflector " + name, "the radius must be positive and finite");
+    }
+    Mesh mesh = meshOf("sphere", 0);
+    appendSphere(mesh, glm::vec3(0.0f), radius, 64, 128);
+    return mesh;
+}
+
+Mesh joined(const Scene& scene)
+{
+    Mesh all;
+    all.name = scene.name;
+    for (const Mesh& mesh : scene.meshes) {
+        const auto first = static_cast<std::uint32_t>(all.positions.size());
+        all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        all.normals.insert(all.normals.end(), mesh.normals.begin(), mesh.normals.end());
+        all.textureCoordinates.insert(all.textureCoordinates.end(), mesh.textureCoordinates.begin(),
+                                      mesh.textureCoordinates.end());
+        for (const auto& triangle : mesh.triangles) {
+            all.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+        }
+    }
+    return all;
+}
+
+// Moves the centre of the bounding box to the origin.
+Mesh centred(Mesh mesh)
+{
+    glm::vec3 low(std::numeric_limits<float>::max());
+    glm::vec3 high(-low);
+    for (const glm::vec3& position : mesh.positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
+    }
+    for (glm::vec3& position : mesh.positions) {
+        position -= 0.5f * (low + high);
+    }
+    return mesh;
+}
+
+} // namespace
+
+Mesh loadReflector(const std::string& name)
+{
+    if (name.starts_with("sphere:")) {
+        return sphereReflector(name);
+    }
+    return centred(joined(readSceneFile(name)));
+}
+
+} // namespace examples
