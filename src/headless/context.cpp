@@ -111,14 +111,15 @@ bool initialise(const PlatformDisplay& platformDisplay, bool counted, EGLDisplay
     const EGLAttrib countedAttributes[] = {EGL_TRACK_REFERENCES_KHR, EGL_TRUE, EGL_NONE};
     display = eglGetPlatformDisplay(platformDisplay.platform, platformDisplay.native,
                                     counted ? countedAttributes : nullptr);
-    EGLint major = 0;
-    EGLint minor = 0;
-    if (display == EGL_NO_DISPLAY || eglInitialize(display, &major, &minor) != EGL_TRUE)
+    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE)
         return false;
-    return Version{major, minor} >= Version{1, 5} &&
-           hasExtension(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
+    const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
+    return hasExtension(extensions, "EGL_KHR_create_context") &&
+           hasExtension(extensions, "EGL_KHR_surfaceless_context");
 }
 
+// In the words of EGL_KHR_create_context, which displays older than EGL 1.5 understand too (Mesa's softpipe
+// is one).
 EGLContext createContext(EGLDisplay display, const Context::Desc& desc, Version version)
 {
     const EGLint configAttributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
@@ -138,7 +139,7 @@ EGLContext createContext(EGLDisplay display, const Context::Desc& desc, Version 
                                              desc.compatibility ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT
                                                                 : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT});
     if (desc.debug)
-        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+        attributes.insert(attributes.end(), {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
     attributes.push_back(EGL_NONE);
     return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
 }
