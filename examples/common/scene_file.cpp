@@ -16,6 +16,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -243,6 +244,44 @@ void readNode(const aiScene& source, const aiNode& node, const glm::dmat4& world
     }
 }
 
+// Some readers announce polygons where a broken file has none, and a checked build of Assimp ends the program
+// over it when it triangulates. So each mesh is told what it has; without any type Assimp would guess
+// polygons.
+void correctPrimitiveTypes(aiMesh& mesh)
+{
+    constexpr unsigned int typeOf[] = {aiPrimitiveType_POINT, aiPrimitiveType_POINT, aiPrimitiveType_LINE,
+                                       aiPrimitiveType_TRIANGLE, aiPrimitiveType_POLYGON};
+    mesh.mPrimitiveTypes = aiPrimitiveType_POINT;
+    for (unsigned int i = 0; i < mesh.mNumFaces; ++i) {
+        mesh.mPrimitiveTypes |= typeOf[std::min(mesh.mFaces[i].mNumIndices, 4u)];
+    }
+}
+
+// Reads, then triangulates and makes the normals that are missing. The importer owns the result.
+const aiScene& import(Assimp::Importer& importer, const std::string& file, const std::string& asked)
+{
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, smoothDegrees);
+    const aiScene* source = nullptr;
+    std::string problem;
+    try {
+        source = importer.ReadFile(file, 0);
+        for (unsigned int i = 0; source != nullptr && i < source->mNumMeshes; ++i) {
+            correctPrimitiveTypes(*source->mMeshes[i]);
+        }
+        if (source != nullptr) {
+            source = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_GenSmoothNormals);
+        }
+        problem = importer.GetErrorString();
+    } catch (const std::exception& exception) {
+        source = nullptr;
+        problem = exception.what();
+    }
+    if (source == nullptr || source->mRootNode == nullptr) {
+        throw Error(ErrorKind::badFile, asked, "Assimp cannot read it: " + problem);
+    }
+    return *source;
+}
+
 // A light that every axis sees from its positive side, outside the bounds: half of all faces are lit, whether
 // the scene is seen from outside or from within.
 glm::vec3 defaultLight(const Scene& scene)
@@ -278,27 +317,15 @@ Scene readSceneFile(const std::string& file)
     }
 
     Assimp::Importer importer;
-    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, smoothDegrees);
-    const aiScene* source = nullptr;
-    std::string problem;
-    try {
-        source = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_GenSmoothNormals);
-        problem = importer.GetErrorString();
-    } catch (const std::exception& exception) {
-        problem = exception.what();
-    }
-    if (source == nullptr || source->mRootNode == nullptr) {
-        throw Error(ErrorKind::badFile, asked, "Assimp cannot read it: " + problem);
-    }
-
+    const aiScene& source = import(importer, file, asked);
     Scene scene;
     scene.name = file;
     scene.background = {0.55f, 0.70f, 0.90f};
-    MaterialReader materials(*source, std::filesystem::path(file).parent_path(), scene);
-    for (unsigned int i = 0; i < source->mNumMaterials; ++i) {
-        scene.materials.push_back(materials.read(*source->mMaterials[i]));
+    MaterialReader materials(source, std::filesystem::path(file).parent_path(), scene);
+    for (unsigned int i = 0; i < source.mNumMaterials; ++i) {
+        scene.materials.push_back(materials.read(*source.mMaterials[i]));
     }
-    readNode(*source, *source->mRootNode, glm::dmat4(1.0), scene);
+    readNode(source, *source.mRootNode, glm::dmat4(1.0), scene);
     if (scene.triangleCount() == 0) {
         throw Error(ErrorKind::badFile, asked, "there is no triangle in it");
     }
