@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace mirrorball
-{
+namespace mirrorball {
 
 enum class GlslVersion { glsl330, glsl400, glsl450, es300 };
 
@@ -19,7 +18,9 @@ MIRRORBALL_EXPORT std::string glslVersionLine(GlslVersion version);
 //     int  <prefix>componentOf(vec3 direction)
 //     vec2 <prefix>squareFromDirection(int component, vec3 direction)      not clamped
 //     vec3 <prefix>directionFromSquare(int component, vec2 uv)             unit length
-//     vec3 <prefix>coordinateFromDirection(vec3 direction)                 (u, v, component), clamped; for sampler2DArray
-MIRRORBALL_EXPORT std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix = "mirrorball_");
+//     vec3 <prefix>coordinateFromDirection(vec3 direction)                 (u, v, component), clamped; for
+//     sampler2DArray
+MIRRORBALL_EXPORT std::string mapGlsl(MapKind map, GlslVersion version,
+                                      const std::string& prefix = "mirrorball_");
 
 } // namespace mirrorball

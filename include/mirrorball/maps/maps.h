@@ -14,8 +14,7 @@
 #include <span>
 #include <string_view>
 
-namespace mirrorball
-{
+namespace mirrorball {
 
 enum class MapKind {
     tennisBall,
@@ -38,7 +37,8 @@ struct MapInfo
 };
 
 // Where a direction lies: uv in [0, 1]², closed.
-template <class Number> struct MapCoordinate
+template <class Number>
+struct MapCoordinate
 {
     int component;
     glm::vec<2, Number, glm::defaultp> uv;
