@@ -1,0 +1,186 @@
+#include "gl_scene.h"
+
+#include "phong_shaders.h"
+
+#include <mirrorball/error.h>
+
+#include <epoxy/gl.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace examples {
+
+namespace {
+
+struct Vertex
+{
+    glm::vec3 position, normal;
+    glm::vec2 textureCoordinate;
+};
+
+mirrorball::gl::Texture upload(const Image& image)
+{
+    mirrorball::gl::Texture texture = mirrorball::gl::Texture::create();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.rgba.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return texture;
+}
+
+mirrorball::Sphere boundsOf(const std::vector<Vertex>& vertices)
+{
+    glm::vec3 low(std::numeric_limits<float>::infinity()), high(-low);
+    for (const Vertex& vertex : vertices) {
+        low = glm::min(low, vertex.position);
+        high = glm::max(high, vertex.position);
+    }
+    mirrorball::Sphere bounds{0.5f * (low + high), 0.0f};
+    for (const Vertex& vertex : vertices)
+        bounds.radius = std::max(bounds.radius, glm::distance(bounds.centre, vertex.position));
+    return bounds;
+}
+
+unsigned int compile(GLenum stage, const std::string& source)
+{
+    const GLuint shader = glCreateShader(stage);
+    const char* const text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    return shader;
+}
+
+} // namespace
+
+mirrorball::gl::Program linkProgram(const std::string& vertexSource, const std::string& fragmentSource)
+{
+    mirrorball::gl::Program program = mirrorball::gl::Program::create();
+    const std::array<GLuint, 2> shaders = {compile(GL_VERTEX_SHADER, vertexSource),
+                                           compile(GL_FRAGMENT_SHADER, fragmentSource)};
+    std::string log(4096, '\0');
+    for (const GLuint shader : shaders) {
+        glAttachShader(program.name(), shader);
+        glDeleteShader(shader); // goes with the program
+    }
+    glLinkProgram(program.name());
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+    if (linked == GL_TRUE)
+        return program;
+    for (const GLuint shader : shaders) {
+        GLsizei length = 0;
+        glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+        if (length > 0)
+            throw mirrorball::Error(mirrorball::ErrorKind::badShader, "a shader",
+                                    log.substr(0, std::size_t(length)));
+    }
+    GLsizei length = 0;
+    glGetProgramInfoLog(program.name(), static_cast<GLsizei>(log.size()), &length, log.data());
+    throw mirrorball::Error(mirrorball::ErrorKind::badShader, "a program",
+                            log.substr(0, std::size_t(length)));
+}
+
+std::string phongVertexSource()
+{
+    return std::string(shaders::phongVert);
+}
+
+std::string phongFragmentSource(View view)
+{
+    return "#version 330 core\n#define VIEW " + std::to_string(static_cast<int>(view)) +
+           "\n#define AMBIENT " + std::to_string(ambient) + "\n" + std::string(shaders::phongFrag);
+}
+
+GlScene::GlScene(const Scene& scene, const glm::dvec3& origin) : materials_(scene.materials)
+{
+    std::size_t firstTriangle = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        meshes_.push_back(upload(mesh, scene.offset - origin));
+        meshes_.back().firstTriangle = firstTriangle;
+        firstTriangle += mesh.triangles.size();
+    }
+    for (const Image& image : scene.images)
+        images_.push_back(examples::upload(image));
+}
+
+GlScene::GlMesh GlScene::upload(const Mesh& mesh, const glm::dvec3& worldOffset)
+{
+    std::vector<Vertex> vertices(mesh.positions.size());
+    for (std::size_t index = 0; index < vertices.size(); ++index)
+        vertices[index] = {glm::vec3(glm::dvec3(mesh.positions[index]) + worldOffset), mesh.normals[index],
+                           mesh.textureCoordinates[index]};
+    GlMesh result;
+    result.bounds = boundsOf(vertices);
+    result.triangleCount = mesh.triangles.size();
+    result.material = mesh.material;
+    result.vertexArray = mirrorball::gl::VertexArray::create();
+    result.vertices = mirrorball::gl::Buffer::create();
+    result.triangles = mirrorball::gl::Buffer::create();
+    glBindVertexArray(result.vertexArray.name());
+    glBindBuffer(GL_ARRAY_BUFFER, result.vertices.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
+                 GL_STATIC_DRAW);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, result.triangles.name());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(mesh.triangles[0])),
+                 mesh.triangles.data(), GL_STATIC_DRAW);
+    const auto attribute = [](GLuint location, GLint size, std::size_t offset) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                              reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, 3, offsetof(Vertex, position));
+    attribute(1, 3, offsetof(Vertex, normal));
+    attribute(2, 2, offsetof(Vertex, textureCoordinate));
+    glBindVertexArray(0);
+    return result;
+}
+
+std::size_t GlScene::triangleCount() const
+{
+    return meshes_.empty() ? 0 : meshes_.back().firstTriangle + meshes_.back().triangleCount;
+}
+
+std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureProgram& program) const
+{
+    std::vector<mirrorball::CaptureMesh> result;
+    for (std::size_t index = 0; index < meshes_.size(); ++index)
+        result.push_back({&program, index, meshes_[index].bounds, meshes_[index].triangleCount, false});
+    return result;
+}
+
+void GlScene::drawMesh(std::size_t index, unsigned int program, const PhongView& view) const
+{
+    const GlMesh& mesh = meshes_[index];
+    const Material& material = materials_[static_cast<std::size_t>(mesh.material)];
+    const auto location = [&](const char* name) { return glGetUniformLocation(program, name); };
+    glUniform4fv(location("diffuse"), 1, glm::value_ptr(material.diffuse));
+    glUniform3fv(location("specular"), 1, glm::value_ptr(material.specular));
+    glUniform1f(location("shininess"), material.shininess);
+    glUniform1i(location("hasImage"), material.image >= 0 ? 1 : 0);
+    glUniform1i(location("image"), 0);
+    glUniform3fv(location("lightInWorld"), 1, glm::value_ptr(view.light));
+    glUniform3fv(location("eyeInWorld"), 1, glm::value_ptr(view.eye));
+    glUniform1i(location("firstTriangle"), static_cast<GLint>(mesh.firstTriangle));
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D,
+                  material.image >= 0 ? images_[static_cast<std::size_t>(material.image)].name() : 0u);
+    glBindVertexArray(mesh.vertexArray.name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mesh.triangleCount), GL_UNSIGNED_INT, nullptr);
+}
+
+void GlScene::drawAll(unsigned int program, const PhongView& view) const
+{
+    for (std::size_t index = 0; index < meshes_.size(); ++index)
+        drawMesh(index, program, view);
+}
+
+} // namespace examples

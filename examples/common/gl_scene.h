@@ -1,0 +1,67 @@
+// A Scene on the GPU: one vertex array a mesh, drawn with the Phong shaders of the example programs.
+#pragma once
+
+#include "scene.h"
+
+#include <mirrorball/capture/reflection_probe.h>
+#include <mirrorball/gl/objects.h>
+
+#include <glm/mat4x4.hpp>
+
+#include <string>
+#include <vector>
+
+namespace examples {
+
+// What the fragment shader writes: the number is that of #if VIEW in phong.frag.
+enum class View { colour = 0, position = 1, normal = 2, triangle = 3 };
+
+// The vertex and fragment shader that draw the scene, as text: compiled here for the picture, and given to a
+// mirrorball::CaptureProgram for pass 1.
+std::string phongVertexSource();
+std::string phongFragmentSource(View view);
+
+// What the Phong shader needs beside the material; positions relative to the GlScene's origin.
+struct PhongView
+{
+    glm::vec3 light{0.0f};
+    glm::vec3 eye{0.0f};
+};
+
+class GlScene
+{
+public:
+    // Vertices are uploaded relative to `origin`, subtracted in double.
+    GlScene(const Scene& scene, const glm::dvec3& origin);
+
+    std::size_t meshCount() const { return meshes_.size(); }
+    std::size_t triangleCount() const;
+
+    // The meshes as a probe wants them; ids are indices.
+    std::vector<mirrorball::CaptureMesh> captureMeshes(mirrorball::CaptureProgram& program) const;
+
+    // Sets the material's uniforms on the program in use and draws.
+    void drawMesh(std::size_t mesh, unsigned int program, const PhongView& view) const;
+    void drawAll(unsigned int program, const PhongView& view) const;
+
+private:
+    struct GlMesh
+    {
+        mirrorball::gl::VertexArray vertexArray;
+        mirrorball::gl::Buffer vertices, triangles;
+        std::size_t triangleCount, firstTriangle;
+        int material;
+        mirrorball::Sphere bounds;
+    };
+
+    static GlMesh upload(const Mesh& mesh, const glm::dvec3& worldOffset);
+
+    std::vector<GlMesh> meshes_;
+    std::vector<Material> materials_;
+    std::vector<mirrorball::gl::Texture> images_;
+};
+
+// Compiles and links; throws mirrorball::Error with the log.
+mirrorball::gl::Program linkProgram(const std::string& vertexSource, const std::string& fragmentSource);
+
+} // namespace examples
