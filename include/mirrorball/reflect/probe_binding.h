@@ -1,0 +1,70 @@
+// Sets a map's textures and a material's uniforms on the host's program for the draws of one reflective
+// object.
+//
+//     ProbeBinding binding(program);                    // once, after linking
+//     {
+//         auto bound = binding.bind(probe.map(), {.blend = 0.8f});
+//         drawTeapot();
+//     }                                                 // textures and samplers of the units are as before
+#pragma once
+
+#include <mirrorball/export.h>
+#include <mirrorball/gl/objects.h>
+#include <mirrorball/reflect/reflection_map.h>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <memory>
+#include <string>
+
+namespace mirrorball {
+
+enum class Filtering { linear, nearest };
+
+struct MaterialSettings
+{
+    bool reflective = true;         // false: mirrorball_material returns the object's own colour
+    glm::vec3 tint{1.0f};           // multiplied onto the reflection
+    float blend = 1.0f;             // 0: own colour only, 1: reflection only
+    glm::mat3 probeFromWorld{1.0f}; // turns the map further for this object, before the probe's own pose
+    glm::mat4 worldFromView{1.0f};  // for inputs in view space: the inverse of the view matrix
+    glm::dvec3 origin{0.0};         // world positions given to the shader are relative to this point
+    Filtering filtering = Filtering::linear;
+};
+
+class MIRRORBALL_EXPORT ProbeBinding
+{
+public:
+    // A linked program with reflectionGlsl in it (borrowed). Uses the texture units firstUnit and firstUnit
+    // + 1. Throws Error badArgument for a program that is not linked, or for units beyond the driver's limit.
+    explicit ProbeBinding(unsigned int program, int firstUnit = 0, std::string prefix = "mirrorball_");
+    ~ProbeBinding();
+    ProbeBinding(ProbeBinding&&) noexcept;
+    ProbeBinding& operator=(ProbeBinding&&) noexcept;
+
+    // Keeps the textures bound while it lives, then puts back what the units held.
+    class MIRRORBALL_EXPORT Bound
+    {
+    public:
+        ~Bound();
+        Bound(Bound&&) noexcept;
+        Bound& operator=(Bound&&) noexcept;
+
+    private:
+        friend class ProbeBinding;
+        struct Saved;
+        explicit Bound(std::unique_ptr<Saved> saved);
+        std::unique_ptr<Saved> saved_;
+    };
+
+    // Sets the uniforms (the current program stays current) and binds the textures.
+    [[nodiscard]] Bound bind(const ReflectionMap& map, const MaterialSettings& settings = {}) const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace mirrorball

@@ -1,0 +1,20 @@
+// What pass 2 reads: a map of the sphere in layers of a texture array, wherever it came from.
+#pragma once
+
+#include <mirrorball/maps/maps.h>
+
+#include <glm/mat4x4.hpp>
+
+namespace mirrorball {
+
+struct ReflectionMap
+{
+    MapKind map = MapKind::tennisBall;
+    int n = 0;
+    unsigned int colourTexture = 0; // borrowed; GL_TEXTURE_2D_ARRAY, linear RGBA
+    unsigned int distanceTexture =
+        0; // borrowed; GL_TEXTURE_2D_ARRAY, radial distance in world units; 0 if unknown
+    glm::dmat4 worldFromProbe{1.0}; // rotation and translation: where directions are measured from
+};
+
+} // namespace mirrorball

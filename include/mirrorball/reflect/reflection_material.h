@@ -1,0 +1,46 @@
+// Pass 2: the functions that a host's fragment shader calls to see the map.
+//
+//     std::string fragmentSource = "#version 330 core\n" + reflectionGlsl({.map = probe.map().map}) + R"(
+//         in vec3 positionInWorld; in vec3 normalInWorld; uniform vec3 eyeInWorld; out vec4 colour;
+//         void main() { colour = mirrorball_reflection(positionInWorld, normalInWorld, eyeInWorld); })";
+//
+// The host's source is never patched: it includes this text and calls it. ProbeBinding sets the uniforms.
+#pragma once
+
+#include <mirrorball/export.h>
+#include <mirrorball/maps/glsl.h>
+#include <mirrorball/maps/maps.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mirrorball {
+
+// How the map is looked up with a reflected ray.
+enum class Lookup {
+    infinite // as if everything were infinitely far: by the ray's direction alone
+};
+
+MIRRORBALL_EXPORT std::optional<Lookup> lookupFromName(std::string_view name);
+
+struct ReflectionMaterial
+{
+    MapKind map = MapKind::tennisBall;
+    Lookup lookup = Lookup::infinite;
+    GlslVersion version = GlslVersion::glsl330;
+    std::string prefix = "mirrorball_"; // of every name, so that one shader can hold several maps
+};
+
+// Functions and uniforms, without a #version line (<prefix> is written mirrorball_ here):
+//     vec3 mirrorball_reflected(vec3 normal, vec3 toEye)            2(N·E)N - E; any lengths
+//     vec4 mirrorball_lookUp(vec3 positionInWorld, vec3 directionInWorld)    the map along a ray
+//     vec4 mirrorball_reflection(vec3 positionInWorld, vec3 normalInWorld, vec3 eyeInWorld)
+//     vec4 mirrorball_reflectionInView(vec3 positionInView, vec3 normalInView)     eye at the origin
+//     vec4 mirrorball_material(vec4 own, vec4 reflection)           tint and blend, or `own` if not
+//     reflective vec4 mirrorball_shownPosition(vec3 positionInWorld, vec3 normalInWorld, vec3 eyeInWorld)
+//                                     xyz: the surface that the mirror shows, in world space; w: 1, or 0 if
+//                                     none
+MIRRORBALL_EXPORT std::string reflectionGlsl(const ReflectionMaterial& material);
+
+} // namespace mirrorball

@@ -1,0 +1,107 @@
+#include "capture/map_textures.h"
+
+#include "gl/context.h"
+
+#include <mirrorball/error.h>
+
+#include <epoxy/gl.h>
+
+#include <array>
+
+namespace mirrorball::capture {
+
+namespace {
+
+gl::Texture makeLayers(const MapSize& size, GLenum internalFormat, GLenum format, GLenum filter)
+{
+    gl::Texture texture = gl::Texture::create();
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internalFormat), size.width, size.height,
+                 size.layers, 0, format, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(filter));
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+GLenum internalFormat(ColourFormat format)
+{
+    switch (format) {
+    case ColourFormat::rgba16f:
+        return GL_RGBA16F;
+    case ColourFormat::rgba32f:
+        return GL_RGBA32F;
+    case ColourFormat::rgba8:
+        return GL_RGBA8;
+    }
+    return GL_RGBA16F;
+}
+
+constexpr std::array<GLenum, 2> drawBuffers = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+
+void requireComplete(const MapSize& size)
+{
+    const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ErrorKind::unsupported,
+                    "a framebuffer of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                        " x " + std::to_string(size.layers),
+                    "the driver answers status " + std::to_string(status),
+                    "try a smaller map or another format");
+}
+
+} // namespace
+
+MapSize mapSize(MapKind map, int n)
+{
+    const MapInfo& info = mapInfo(map);
+    return {info.widthInN * n, info.heightInN * n, info.components};
+}
+
+void requireMapSize(MapKind map, int n)
+{
+    const std::string asked = "a " + std::string(mapInfo(map).name) + " map of size " + std::to_string(n);
+    if (n < 1)
+        throw Error(ErrorKind::badArgument, asked, "a map has at least 1 texel across", "ask for 1 or more");
+    const MapInfo& info = mapInfo(map);
+    const int largest =
+        std::min(gl::integer(GL_MAX_TEXTURE_SIZE),
+                 std::min(gl::integer(GL_MAX_VIEWPORT_DIMS), gl::integer(GL_MAX_RENDERBUFFER_SIZE)));
+    const int limit = largest / std::max(info.widthInN, info.heightInN);
+    if (n > limit)
+        throw Error(ErrorKind::badArgument, asked, "this driver's limit is " + std::to_string(limit),
+                    "ask for that or less");
+}
+
+gl::Texture makeDepth(const MapSize& size)
+{
+    return makeLayers(size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_NEAREST);
+}
+
+MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture& depth)
+{
+    MapTextures result;
+    result.colour = makeLayers(size, internalFormat(format), GL_RGBA, GL_LINEAR);
+    result.distance = makeLayers(size, GL_R32F, GL_RED, GL_NEAREST);
+    for (int layer = 0; layer < size.layers; ++layer) {
+        result.layers.push_back(gl::Framebuffer::create());
+        glBindFramebuffer(GL_FRAMEBUFFER, result.layers.back().name());
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, result.colour.name(), 0, layer);
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, result.distance.name(), 0, layer);
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.name(), 0, layer);
+        glDrawBuffers(2, drawBuffers.data());
+        requireComplete(size);
+    }
+    result.allLayers = gl::Framebuffer::create();
+    glBindFramebuffer(GL_FRAMEBUFFER, result.allLayers.name());
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, result.colour.name(), 0);
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, result.distance.name(), 0);
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.name(), 0);
+    glDrawBuffers(2, drawBuffers.data());
+    requireComplete(size);
+    return result;
+}
+
+} // namespace mirrorball::capture

@@ -1,0 +1,35 @@
+// The textures and framebuffers that one capture draws into.
+#pragma once
+
+#include <mirrorball/capture/reflection_probe.h>
+#include <mirrorball/gl/objects.h>
+
+#include <vector>
+
+namespace mirrorball::capture {
+
+struct MapSize
+{
+    int width, height, layers;
+};
+
+MapSize mapSize(MapKind map, int n);
+
+// Throws Error badArgument when the driver's limits are exceeded, before anything is allocated.
+void requireMapSize(MapKind map, int n);
+
+// Colour and distance: what a capture leaves behind.
+struct MapTextures
+{
+    gl::Texture colour;
+    gl::Texture distance;
+    std::vector<gl::Framebuffer> layers; // one a layer
+    gl::Framebuffer allLayers;           // layered
+};
+
+// A depth texture with all layers, and textures that share it. Bind nothing of the host's: call inside a
+// StateGuard.
+gl::Texture makeDepth(const MapSize& size);
+MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture& depth);
+
+} // namespace mirrorball::capture

@@ -1,0 +1,335 @@
+#include <mirrorball/capture/reflection_probe.h>
+
+#include "capture/capture_program.h"
+#include "capture/map_textures.h"
+#include "capture/views.h"
+#include "gl/context.h"
+#include "gl/state_guard.h"
+
+#include <mirrorball/error.h>
+
+#include <epoxy/gl.h>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace mirrorball {
+
+namespace {
+
+using capture::LinkedProgram;
+using capture::MapSize;
+
+// The rotation and translation of a pose with uniform scale, and the scale.
+struct Pose
+{
+    glm::dmat4 worldFromProbe; // rigid
+    double scale;
+};
+
+Pose rigidPose(const glm::dmat4& worldFromProbe)
+{
+    const std::string asked = "a probe's pose";
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(worldFromProbe[column][row]))
+                throw Error(ErrorKind::badArgument, asked, "an element is not finite", "give finite numbers");
+    const glm::dmat3 linear(worldFromProbe);
+    const double scale = std::cbrt(std::abs(glm::determinant(linear)));
+    if (!(scale > 0.0))
+        throw Error(ErrorKind::badArgument, asked, "its scale is 0", "give a scale above 0");
+    const glm::dmat3 rotation = linear / scale;
+    // Rounding of a host's float matrices stays far below this; shear or unequal scale lies far above it.
+    constexpr double tolerance = 1e-3;
+    const glm::dmat3 unit = glm::transpose(rotation) * rotation;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (std::abs(unit[column][row] - (column == row ? 1.0 : 0.0)) > tolerance)
+                throw Error(ErrorKind::badArgument, asked, "it is not a rotation with uniform scale",
+                            "leave out shear and unequal scale");
+    if (glm::determinant(rotation) < 0.0)
+        throw Error(ErrorKind::badArgument, asked, "it mirrors", "give a rotation with positive scale");
+    glm::dmat4 rigid(rotation);
+    rigid[3] = glm::dvec4(glm::dvec3(worldFromProbe[3]), 1.0);
+    return {rigid, scale};
+}
+
+void requireFinite(const glm::dvec3& point, const std::string& asked)
+{
+    if (!(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)))
+        throw Error(ErrorKind::badArgument, asked, "a coordinate is not finite", "give finite numbers");
+}
+
+// The largest float distance that still counts as a far plane; beyond it far is treated as infinite.
+constexpr float largestFar = 1e30f;
+
+} // namespace
+
+struct ReflectionProbe::Implementation
+{
+    Desc desc;
+    Pose pose{};
+    float near = 0.0f;
+    MapSize size{};
+    gl::Texture depth;
+    capture::MapTextures front, back; // what pass 2 reads, and what a capture draws into
+    ReflectionMap map;
+    bool capturing = false;
+    CaptureReport report;
+    unsigned int programInUse = 0;
+
+    explicit Implementation(const Desc& given);
+    void checkRange();
+    void place();
+    void clear(const capture::MapTextures& textures) const;
+    glm::dmat4 probeFromWorld() const; // from positions relative to captureOrigin
+    bool touches(int view, const Sphere& bounds) const;
+    void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
+    void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
+    void drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw);
+    void setUniforms(const LinkedProgram& linked, int view) const;
+    void publish();
+};
+
+ReflectionProbe::Implementation::Implementation(const Desc& given)
+    : desc(given), pose(rigidPose(given.worldFromProbe))
+{
+    requireFinite(desc.captureOrigin, "a capture origin");
+    checkRange();
+    gl::requireContext();
+    capture::requireMapSize(desc.map, desc.n);
+    const bool textbookMap = desc.map == MapKind::tennisBall || desc.map == MapKind::dualParaboloid;
+    if (desc.depthTerm == DepthTerm::textbook && !textbookMap)
+        throw Error(ErrorKind::badArgument, "textbook depth terms",
+                    "there are none for the " + std::string(mapInfo(desc.map).name) + " map",
+                    "use tennis-ball or dual-paraboloid");
+    size = capture::mapSize(desc.map, desc.n);
+
+    const gl::StateGuard guard(0, 1);
+    guard.neutralise();
+    glActiveTexture(GL_TEXTURE0);
+    depth = capture::makeDepth(size);
+    front = capture::makeMapTextures(size, desc.colour, depth);
+    back = capture::makeMapTextures(size, desc.colour, depth);
+    clear(front);
+    publish();
+}
+
+void ReflectionProbe::Implementation::checkRange()
+{
+    if (!(desc.halfExtent >= 0.0) || !std::isfinite(desc.halfExtent))
+        throw Error(ErrorKind::badArgument, "a probe's half extent",
+                    "it is " + std::to_string(desc.halfExtent), "give a finite number that is not negative");
+    near = desc.near ? *desc.near : static_cast<float>(desc.halfExtent * pose.scale);
+    const std::string found = "near is " + std::to_string(near) + " and far is " + std::to_string(desc.far);
+    if (!(near > 0.0f) || !std::isfinite(near) || !(desc.far > near))
+        throw Error(ErrorKind::badArgument, "the range of a probe", found, "give 0 < near < far");
+}
+
+glm::dmat4 ReflectionProbe::Implementation::probeFromWorld() const
+{
+    glm::dmat4 relative = pose.worldFromProbe;
+    relative[3] = glm::dvec4(glm::dvec3(relative[3]) - desc.captureOrigin, 1.0);
+    return glm::inverse(relative);
+}
+
+bool ReflectionProbe::Implementation::touches(int view, const Sphere& bounds) const
+{
+    const glm::dvec3 centre(probeFromWorld() * glm::dvec4(glm::dvec3(bounds.centre), 1.0));
+    const double distance = glm::length(centre);
+    // The host's bounds and vertices are floats: allow for the rounding of both.
+    const double radius = static_cast<double>(bounds.radius) * (1.0 + 1e-5) + distance * 1e-6;
+    if (std::isnan(distance) || std::isnan(radius))
+        return true;
+    if (distance + radius < static_cast<double>(near) || distance - radius > static_cast<double>(desc.far))
+        return false;
+    return capture::viewTouches(desc.map, view, centre, radius);
+}
+
+void ReflectionProbe::Implementation::clear(const capture::MapTextures& textures) const
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, textures.allLayers.name());
+    glViewport(0, 0, size.width, size.height);
+    glClearBufferfv(GL_COLOR, 0, glm::value_ptr(desc.background));
+    const float nothing[4] = {std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
+    glClearBufferfv(GL_COLOR, 1, nothing);
+    const float farthest = 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, int view) const
+{
+    const glm::mat4 matrix(probeFromWorld());
+    glUniformMatrix4fv(linked.probeFromWorld, 1, GL_FALSE, glm::value_ptr(matrix));
+    glUniform1i(linked.view, view);
+    glUniform2f(linked.range, near, desc.far);
+    glUniform2f(linked.size, static_cast<float>(size.width), static_cast<float>(size.height));
+
+    const double nearest = static_cast<double>(near), farthest = static_cast<double>(desc.far);
+    if (!capture::isPiecewiseLinear(desc.map)) {
+        // z from -1 at near to 1 at far, linear in 1 / distance.
+        const double inverseFar = desc.far < largestFar ? 1.0 / farthest : 0.0;
+        const double slope = -2.0 / (1.0 / nearest - inverseFar);
+        glUniform2f(linked.depth, static_cast<float>(1.0 - slope * inverseFar), static_cast<float>(slope));
+        return;
+    }
+    const capture::LinearRange range = capture::linearRange(desc.map);
+    const double w0 = nearest * range.smallest;
+    const double w1 =
+        desc.far < largestFar ? farthest * range.largest : std::numeric_limits<double>::infinity();
+    const double scale = std::isinf(w1) ? 1.0 : (w1 + w0) / (w1 - w0);
+    const double shift = std::isinf(w1) ? -2.0 * w0 : -2.0 * w0 * w1 / (w1 - w0);
+    glUniform2f(linked.depth, static_cast<float>(scale), static_cast<float>(shift));
+    const int views = capture::viewCount(desc.map);
+    std::vector<glm::mat3> clip, inward;
+    for (int index = 0; index < views; ++index) {
+        const capture::LinearView linear = capture::linearView(desc.map, index);
+        clip.push_back(linear.clipFromDirection);
+        inward.push_back(linear.inwardPlanes);
+    }
+    glUniformMatrix3fv(linked.clipFromDirection, views, GL_FALSE, glm::value_ptr(clip[0]));
+    glUniformMatrix3fv(linked.inwardPlanes, views, GL_FALSE, glm::value_ptr(inward[0]));
+}
+
+void ReflectionProbe::Implementation::drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw)
+{
+    const capture::Variant variant{desc.map, desc.method, desc.layers, desc.depthTerm};
+    const LinkedProgram& linked = mesh.program->implementation().program(variant);
+    // Set again for every draw: the callback may have changed any of it.
+    const capture::MapTextures& target = back;
+    const auto layer = static_cast<std::size_t>(view < 0 ? 0 : capture::layerOfView(desc.map, view));
+    glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? target.allLayers.name() : target.layers[layer].name());
+    glViewport(0, 0, size.width, size.height);
+    glUseProgram(linked.program.name());
+    setUniforms(linked, view);
+    for (GLenum plane = 0; plane < 3; ++plane)
+        (linked.usesClipDistances ? glEnable : glDisable)(GL_CLIP_DISTANCE0 + plane);
+    (mesh.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
+    glFrontFace(capture::orientation(desc.map, std::max(view, 0)) > 0 ? GL_CCW : GL_CW);
+    draw(mesh, {linked.program.name(), view});
+    ++report.draws;
+    report.triangles += mesh.triangles;
+}
+
+void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh> meshes,
+                                                     const DrawMesh& draw)
+{
+    for (int view = 0; view < capture::viewCount(desc.map); ++view)
+        for (const CaptureMesh& mesh : meshes) {
+            if (mesh.bounds && !touches(view, *mesh.bounds))
+                ++report.drawsCulled;
+            else
+                drawMesh(mesh, view, draw);
+        }
+}
+
+void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw)
+{
+    for (const CaptureMesh& mesh : meshes) {
+        bool touched = !mesh.bounds;
+        for (int view = 0; view < capture::viewCount(desc.map) && !touched; ++view)
+            touched = touches(view, *mesh.bounds);
+        if (touched)
+            drawMesh(mesh, -1, draw);
+        else
+            ++report.drawsCulled;
+    }
+}
+
+void ReflectionProbe::Implementation::place()
+{
+    pose = rigidPose(desc.worldFromProbe);
+    checkRange();
+}
+
+void ReflectionProbe::Implementation::publish()
+{
+    map = {desc.map, desc.n, front.colour.name(), front.distance.name(), pose.worldFromProbe};
+}
+
+ReflectionProbe::ReflectionProbe(const Desc& desc) : implementation_(std::make_unique<Implementation>(desc))
+{
+}
+ReflectionProbe::~ReflectionProbe() = default;
+ReflectionProbe::ReflectionProbe(ReflectionProbe&&) noexcept = default;
+ReflectionProbe& ReflectionProbe::operator=(ReflectionProbe&&) noexcept = default;
+
+const ReflectionProbe::Desc& ReflectionProbe::desc() const
+{
+    return implementation_->desc;
+}
+
+float ReflectionProbe::near() const
+{
+    return implementation_->near;
+}
+
+void ReflectionProbe::setPose(const glm::dmat4& worldFromProbe)
+{
+    rigidPose(worldFromProbe); // throws before anything changes
+    implementation_->desc.worldFromProbe = worldFromProbe;
+}
+
+void ReflectionProbe::setCaptureOrigin(const glm::dvec3& captureOrigin)
+{
+    requireFinite(captureOrigin, "a capture origin");
+    implementation_->desc.captureOrigin = captureOrigin;
+}
+
+int ReflectionProbe::viewCount() const
+{
+    return capture::viewCount(implementation_->desc.map);
+}
+
+bool ReflectionProbe::touches(int view, const Sphere& bounds) const
+{
+    return implementation_->touches(view, bounds);
+}
+
+const ReflectionMap& ReflectionProbe::map() const
+{
+    return implementation_->map;
+}
+
+CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, const DrawMesh& draw)
+{
+    Implementation& self = *implementation_;
+    if (self.capturing)
+        throw Error(ErrorKind::hostBusy, "a capture of probe '" + self.desc.name + "'",
+                    "this probe is being captured already", "call it after the draw callback has returned");
+    gl::requireContext();
+    for (const CaptureMesh& mesh : meshes) {
+        if (mesh.program == nullptr)
+            throw Error(ErrorKind::badArgument, "a capture of probe '" + self.desc.name + "'",
+                        "a mesh has no program", "set CaptureMesh::program");
+        mesh.program->implementation().program(
+            {self.desc.map, self.desc.method, self.desc.layers, self.desc.depthTerm});
+    }
+    self.place();
+
+    struct Capturing
+    {
+        explicit Capturing(bool& given) : flag(given) { flag = true; }
+        ~Capturing() { flag = false; }
+        bool& flag;
+    } capturing(self.capturing);
+    const gl::StateGuard guard;
+    guard.neutralise();
+    self.report = {};
+    self.report.texels = static_cast<std::size_t>(self.size.width) *
+                         static_cast<std::size_t>(self.size.height) *
+                         static_cast<std::size_t>(self.size.layers);
+    self.clear(self.back);
+    if (self.desc.layers == LayerOrder::allAtOnce)
+        self.drawAllAtOnce(meshes, draw);
+    else
+        self.drawOneAtATime(meshes, draw);
+    std::swap(self.front, self.back);
+    self.publish();
+    return self.report;
+}
+
+} // namespace mirrorball

@@ -1,0 +1,24 @@
+// The host's fragment shader has run on interpolated varyings; the distance is that of the interpolated position.
+uniform vec2 mirrorballCapture_range; // near, far
+in vec3 mirrorballCapture_position;
+out float mirrorballCapture_distance;
+
+void main()
+{
+    MIRRORBALL_READ_VARYINGS
+    mirrorballCapture_hostMain();
+    float radius = length(mirrorballCapture_position);
+#if MIRRORBALL_CLIPS_RANGE
+    if (radius < mirrorballCapture_range.x || radius > mirrorballCapture_range.y)
+        discard;
+#endif
+#if MIRRORBALL_DROPS_SMEAR
+    // A triangle across the map's cut is drawn the long way round: where the interpolated direction belongs more
+    // than a quarter of the map away, that is a smear and not the triangle.
+    vec2 square = mirrorballCapture_squareFromDirection(0, mirrorballCapture_position);
+    vec2 here = gl_FragCoord.xy / mirrorballCapture_size;
+    if (any(greaterThan(abs(square - here), vec2(0.25))))
+        discard;
+#endif
+    mirrorballCapture_distance = radius;
+}

@@ -1,0 +1,147 @@
+#include <mirrorball/reflect/probe_binding.h>
+
+#include "gl/context.h"
+#include "gl/state_guard.h"
+
+#include <mirrorball/error.h>
+
+#include <epoxy/gl.h>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+namespace mirrorball {
+
+namespace {
+
+constexpr int units = 2; // colour, distance
+
+gl::Sampler makeSampler(GLenum filter)
+{
+    gl::Sampler sampler = gl::Sampler::create();
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(filter));
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return sampler;
+}
+
+} // namespace
+
+struct ProbeBinding::Implementation
+{
+    unsigned int program;
+    int firstUnit;
+    std::string prefix;
+    gl::Sampler linear, nearest;
+
+    int location(const char* name) const { return glGetUniformLocation(program, (prefix + name).c_str()); }
+    void setUniforms(const ReflectionMap& map, const MaterialSettings& settings) const;
+};
+
+struct ProbeBinding::Bound::Saved
+{
+    struct Unit
+    {
+        int texture, sampler;
+    };
+    int firstUnit;
+    Unit unit[units];
+};
+
+ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string prefix)
+{
+    gl::requireContext();
+    const std::string asked = "a probe binding";
+    GLint linked = GL_FALSE;
+    if (glIsProgram(program) == GL_TRUE)
+        glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked != GL_TRUE)
+        throw Error(ErrorKind::badArgument, asked, "program " + std::to_string(program) + " is not linked",
+                    "link it first");
+    const int limit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    if (firstUnit < 0 || firstUnit + units > limit)
+        throw Error(ErrorKind::badArgument, asked,
+                    "texture units " + std::to_string(firstUnit) + " and the next lie outside the driver's " +
+                        std::to_string(limit),
+                    "name another first unit");
+    implementation_ = std::make_unique<Implementation>(Implementation{
+        program, firstUnit, std::move(prefix), makeSampler(GL_LINEAR), makeSampler(GL_NEAREST)});
+}
+
+ProbeBinding::~ProbeBinding() = default;
+ProbeBinding::ProbeBinding(ProbeBinding&&) noexcept = default;
+ProbeBinding& ProbeBinding::operator=(ProbeBinding&&) noexcept = default;
+
+void ProbeBinding::Implementation::setUniforms(const ReflectionMap& map,
+                                               const MaterialSettings& settings) const
+{
+    const GLint current = gl::integer(GL_CURRENT_PROGRAM);
+    if (static_cast<unsigned int>(current) != program)
+        glUseProgram(program);
+    glUniform1i(location("colourMap"), firstUnit);
+    glUniform1i(location("distanceMap"), firstUnit + 1);
+    const glm::mat3 probeFromWorld(glm::transpose(glm::dmat3(map.worldFromProbe))); // a rotation
+    const glm::mat3 mapFromWorld = probeFromWorld * settings.probeFromWorld;
+    glUniformMatrix3fv(location("mapFromWorld"), 1, GL_FALSE, glm::value_ptr(mapFromWorld));
+    const glm::vec3 centre(glm::dvec3(map.worldFromProbe[3]) - settings.origin);
+    glUniform3fv(location("centreInWorld"), 1, glm::value_ptr(centre));
+    glUniformMatrix4fv(location("worldFromView"), 1, GL_FALSE, glm::value_ptr(settings.worldFromView));
+    glUniform1i(location("reflective"), settings.reflective ? 1 : 0);
+    glUniform3fv(location("tint"), 1, glm::value_ptr(settings.tint));
+    glUniform1f(location("blend"), settings.blend);
+    if (static_cast<unsigned int>(current) != program)
+        glUseProgram(static_cast<GLuint>(current));
+}
+
+ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialSettings& settings) const
+{
+    gl::requireContext();
+    const Implementation& self = *implementation_;
+    if (glIsTexture(map.colourTexture) != GL_TRUE)
+        throw Error(ErrorKind::badArgument, "a binding of a reflection map", "it has no colour texture",
+                    "capture or upload a map first");
+    auto saved = std::make_unique<Bound::Saved>();
+    saved->firstUnit = self.firstUnit;
+    const GLint active = gl::integer(GL_ACTIVE_TEXTURE);
+    const unsigned int textures[units] = {map.colourTexture, map.distanceTexture};
+    const gl::Sampler& colourSampler = settings.filtering == Filtering::linear ? self.linear : self.nearest;
+    const unsigned int samplers[units] = {colourSampler.name(), self.nearest.name()};
+    for (int unit = 0; unit < units; ++unit) {
+        const auto index = static_cast<GLuint>(self.firstUnit + unit);
+        glActiveTexture(GL_TEXTURE0 + index);
+        saved->unit[unit] = {gl::integer(GL_TEXTURE_BINDING_2D_ARRAY), gl::integer(GL_SAMPLER_BINDING)};
+        glBindTexture(GL_TEXTURE_2D_ARRAY, textures[unit]);
+        glBindSampler(index, samplers[unit]);
+    }
+    glActiveTexture(static_cast<GLenum>(active));
+    self.setUniforms(map, settings);
+    return Bound(std::move(saved));
+}
+
+ProbeBinding::Bound::Bound(std::unique_ptr<Saved> saved) : saved_(std::move(saved)) {}
+ProbeBinding::Bound::Bound(Bound&&) noexcept = default;
+
+ProbeBinding::Bound& ProbeBinding::Bound::operator=(Bound&& other) noexcept
+{
+    std::swap(saved_, other.saved_);
+    return *this;
+}
+
+ProbeBinding::Bound::~Bound()
+{
+    if (!saved_ || !gl::contextIsCurrent())
+        return;
+    const GLint active = gl::integer(GL_ACTIVE_TEXTURE);
+    for (int unit = 0; unit < units; ++unit) {
+        const auto index = static_cast<GLuint>(saved_->firstUnit + unit);
+        const auto texture = static_cast<GLuint>(saved_->unit[unit].texture);
+        const auto sampler = static_cast<GLuint>(saved_->unit[unit].sampler);
+        glActiveTexture(GL_TEXTURE0 + index);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, glIsTexture(texture) == GL_TRUE ? texture : 0u);
+        glBindSampler(index, glIsSampler(sampler) == GL_TRUE ? sampler : 0u);
+    }
+    glActiveTexture(static_cast<GLenum>(active));
+}
+
+} // namespace mirrorball
