@@ -2,6 +2,7 @@
 
 #include "scene_file.h"
 #include "shapes.h"
+#include "teapot.h"
 
 #include <mirrorball/error.h>
 
@@ -73,6 +74,9 @@ Mesh loadReflector(const std::string& name)
 {
     if (name.starts_with("sphere:")) {
         return sphereReflector(name);
+    }
+    if (name == "teapot") {
+        return centred(teapot(16)); // 16,256 triangles
     }
     return centred(joined(readSceneFile(name)));
 }
