@@ -77,9 +77,10 @@ int limit(GLenum name)
     return value;
 }
 
-void StateRecorder::addSymbols(std::string name, std::span<const GLint> values)
+void StateRecorder::addSymbols(std::string name, std::span<const GLint64> values)
 {
-    add(std::move(name), list(values, [](GLint value) { return hexadecimal(static_cast<GLuint>(value)); }));
+    add(std::move(name),
+        list(values, [](GLint64 value) { return hexadecimal(static_cast<std::uintptr_t>(value)); }));
 }
 
 void StateRecorder::addNumbers(std::string name, std::span<const double> values)

@@ -51,7 +51,8 @@ constexpr Query switches[] = {
     {GL_ENUM(GL_SHADING_RATE_IMAGE_NV), 1, shadingRateImage},
 };
 
-// Asked with glGetIntegerv; enumerants, names of objects and bit masks.
+// Asked with glGetInteger64v, since glGetIntegerv may clamp a mask of 32 ones: enumerants, names of objects,
+// bit masks.
 constexpr Query symbols[] = {
     {GL_ENUM(GL_DRAW_FRAMEBUFFER_BINDING)},
     {GL_ENUM(GL_READ_FRAMEBUFFER_BINDING)},
@@ -193,8 +194,8 @@ void recordFixedState(StateRecorder& recorder)
             recorder.addSwitch(query.name.text, glIsEnabled(query.name.value) == GL_TRUE);
     for (const Query& query : symbols)
         if (has(query.gate)) {
-            std::array<GLint, 8> values{};
-            glGetIntegerv(query.name.value, values.data());
+            std::array<GLint64, 8> values{};
+            glGetInteger64v(query.name.value, values.data());
             recorder.addSymbols(query.name.text,
                                 std::span(values).first(static_cast<std::size_t>(query.count)));
         }

@@ -42,7 +42,7 @@ void recordDrawBuffers(StateRecorder& recorder)
         recorder.addSwitch(indexed("GL_BLEND", i), glIsEnabledi(GL_BLEND, index) == GL_TRUE);
         std::array<GLboolean, 4> mask{};
         glGetBooleani_v(GL_COLOR_WRITEMASK, index, mask.data());
-        const std::array<GLint, 4> values{mask[0], mask[1], mask[2], mask[3]};
+        const std::array<GLint64, 4> values{mask[0], mask[1], mask[2], mask[3]};
         recorder.addSymbols(indexed("GL_COLOR_WRITEMASK", i), values);
         if (blendsEachBuffer)
             for (const Enum& name : blend) {
@@ -65,8 +65,8 @@ void recordSampleMasks(StateRecorder& recorder)
 {
     const int count = limit(GL_MAX_SAMPLE_MASK_WORDS);
     for (int i = 0; i < count; ++i) {
-        GLint word = 0;
-        glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, static_cast<GLuint>(i), &word);
+        GLint64 word = 0;
+        glGetInteger64i_v(GL_SAMPLE_MASK_VALUE, static_cast<GLuint>(i), &word);
         recorder.addSymbol(indexed("GL_SAMPLE_MASK_VALUE", i), word);
     }
 }
@@ -129,8 +129,8 @@ void recordWindowRectangles(StateRecorder& recorder)
 {
     const int count = has(windowRectangles) ? limit(GL_NUM_WINDOW_RECTANGLES_EXT) : 0;
     for (int i = 0; i < count; ++i) {
-        std::array<GLint, 4> box{};
-        glGetIntegeri_v(GL_WINDOW_RECTANGLE_EXT, static_cast<GLuint>(i), box.data());
+        std::array<GLint64, 4> box{};
+        glGetInteger64i_v(GL_WINDOW_RECTANGLE_EXT, static_cast<GLuint>(i), box.data());
         recorder.addSymbols(indexed("GL_WINDOW_RECTANGLE_EXT", i), box);
     }
 }

@@ -92,10 +92,10 @@ public:
     void add(std::string name, std::string value) { items_.push_back({std::move(name), std::move(value)}); }
 
     // Enumerants, names and bit masks are written in hexadecimal, quantities in decimal; several as "(1, 0)".
-    void addSymbols(std::string name, std::span<const GLint> values);
+    void addSymbols(std::string name, std::span<const GLint64> values);
     void addNumbers(std::string name, std::span<const double> values);
     void addFloats(std::string name, std::span<const GLfloat> values);
-    void addSymbol(std::string name, GLint value) { addSymbols(std::move(name), {&value, 1}); }
+    void addSymbol(std::string name, GLint64 value) { addSymbols(std::move(name), {&value, 1}); }
     void addNumber(std::string name, double value) { addNumbers(std::move(name), {&value, 1}); }
     void addSwitch(std::string name, bool on) { add(std::move(name), on ? "on" : "off"); }
 
