@@ -44,6 +44,7 @@ std::string defines(const Variant& variant, const std::string& position)
     const bool textbook = variant.depthTerm == DepthTerm::textbook;
     const bool wraps = variant.map == MapKind::equirectangular || variant.map == MapKind::sphereMap;
     return define("VIEWS", std::to_string(viewCount(variant.map))) +
+           define("VERTICES", std::to_string(3 * viewCount(variant.map))) +
            define("LAYER(view)", std::string(variant.map == MapKind::octahedral ? "0" : "(view)")) +
            define("POSITION", position) + define("TENNIS_BALL", tennisBall) +
            define("DUAL_PARABOLOID", variant.map == MapKind::dualParaboloid) +

@@ -14,10 +14,10 @@ void main()
 #endif
 #if MIRRORBALL_DROPS_SMEAR
     // A triangle across the map's cut is drawn the long way round: where the interpolated direction belongs more
-    // than a quarter of the map away, that is a smear and not the triangle.
+    // than a sixteenth of the map away, that is a smear and not the triangle.
     vec2 square = mirrorballCapture_squareFromDirection(0, mirrorballCapture_position);
     vec2 here = gl_FragCoord.xy / mirrorballCapture_size;
-    if (any(greaterThan(abs(square - here), vec2(0.25))))
+    if (any(greaterThan(abs(square - here), vec2(0.0625))))
         discard;
 #endif
     mirrorballCapture_distance = radius;

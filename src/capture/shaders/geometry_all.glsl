@@ -1,6 +1,6 @@
 // Sends each triangle to every view that it may touch, all in one draw.
 layout(triangles) in;
-layout(triangle_strip, max_vertices = 3 * MIRRORBALL_VIEWS) out;
+layout(triangle_strip, max_vertices = MIRRORBALL_VERTICES) out;
 in vec3 mirrorballCapture_vertex[];
 out vec3 mirrorballCapture_position;
 out float gl_ClipDistance[3];
