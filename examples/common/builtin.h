@@ -7,6 +7,8 @@ namespace examples {
 
 Scene roomScene();
 Scene gardenScene();
+Scene cardsScene();
+Scene crowdScene(std::size_t triangles); // at least 1
 
 // "builtin:<name>" by name; throws mirrorball::Error for a name that is none of these.
 Scene builtinScene(const std::string& name);
