@@ -12,6 +12,8 @@ namespace {
 
 using Recorded = GlslScalar;
 
+constexpr std::size_t longestLine = 100;
+
 Recorded realVariable(const std::string& name)
 {
     return Recorded(glslVariable(GlslType::real, name));
@@ -51,11 +53,15 @@ public:
     std::string returned(const std::string& constructor, std::initializer_list<GlslTree> roots) const
     {
         const GlslBody body = printedGlsl(std::span(roots.begin(), roots.size()), prefix_, precision_);
-        std::string list;
+        const std::string start = "    return " + (constructor.empty() ? "" : constructor + "(");
+        std::size_t width = start.size();
         for (const std::string& result : body.results)
-            list += (list.empty() ? "" : ", ") + result;
-        return body.declarations + "    return " +
-               (constructor.empty() ? list : constructor + "(" + list + ")") + ";\n";
+            width += result.size() + 2;
+        const std::string separator = width <= longestLine ? ", " : ",\n" + std::string(start.size(), ' ');
+        std::string statement = start;
+        for (const std::string& result : body.results)
+            statement += (statement == start ? "" : separator) + result;
+        return body.declarations + statement + (constructor.empty() ? ";\n" : ");\n");
     }
 
     std::string regularLine(const std::string& type, const std::string& helper, const std::string& name,
@@ -113,6 +119,9 @@ std::vector<Helper> helpers(const FunctionPrinter& print, const Vec3<double>& fr
     return {
         {"isNan", bitTest(print, "isNan", ">")},
         {"isInfinite", bitTest(print, "isInfinite", "==")},
+        real("signNotZero", xParameter, signNotZero<Recorded>(x)),
+        real("flushed", xParameter, flushed<Recorded>(x)),
+        real("infinitySign", xParameter, infinitySign<Recorded>(x)),
         {"regularDirection", regularDirectionFunction(print, front)},
         {"regularSquare", regularSquareFunction(print)},
         real("atanPi", print.parameter("float", "t"), atanPiPolynomial(t)),
@@ -218,8 +227,7 @@ std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix)
         const std::string functions =
             componentOfFunction<Map>(print) + "\n" + squareFromDirectionFunction<Map>(print) + "\n" +
             directionFromSquareFunction<Map>(print) + "\n" + coordinateFromDirectionFunction(print);
-        return "// The " + std::string(Map::info.name) +
-               " map. Printed from its C++ formula: change that instead.\n" + "const " +
+        return "// Map " + std::string(Map::info.name) + ", printed from its C++ formula.\nconst " +
                print.parameter("int", prefix + "components") + " = " + std::to_string(Map::info.components) +
                ";\n\n" + neededHelpers(print, Map::front, functions) + functions;
     });

@@ -7,15 +7,6 @@
 namespace mirrorball {
 namespace {
 
-// The shortest decimal that reads back as the same float.
-std::string glslNumber(double number)
-{
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, static_cast<float>(number)).ptr;
-    std::string text(digits, end);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
 bool isLeaf(const GlslNode& node)
 {
     return node.operands.empty();
@@ -130,30 +121,38 @@ private:
 
 } // namespace
 
-GlslTree glslVariable(GlslType type, const std::string& text)
+// The shortest decimal that reads back as the same float.
+GlslTree glslNumber(double number)
 {
-    return glslOperation(type, GlslPrecedence::primary, text, {});
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, static_cast<float>(number)).ptr;
+    const std::string text(digits, end);
+    const bool hasPoint = text.find_first_of(".e") != std::string::npos;
+    const auto precedence = number < 0 ? GlslPrecedence::unary : GlslPrecedence::primary;
+    return glslOperation(GlslType::real, precedence, (hasPoint ? text : text + ".0").c_str(), {});
 }
 
-GlslTree glslOperation(GlslType type, GlslPrecedence precedence, const std::string& text,
+GlslTree glslNumber(int number)
+{
+    return glslVariable(GlslType::index, std::to_string(number));
+}
+
+GlslTree glslVariable(GlslType type, const std::string& text)
+{
+    return glslOperation(type, GlslPrecedence::primary, text.c_str(), {});
+}
+
+GlslTree glslOperation(GlslType type, GlslPrecedence precedence, const char* text,
                        std::vector<GlslTree> operands)
 {
     return std::make_shared<const GlslNode>(GlslNode{type, precedence, text, std::move(operands), {}});
 }
 
-GlslTree glslNamed(const GlslTree& tree, const std::string& name)
+GlslTree glslNamed(const GlslTree& tree, const char* name)
 {
     GlslNode node = *tree;
     node.name = name;
     return std::make_shared<const GlslNode>(std::move(node));
-}
-
-GlslIndex::GlslIndex(int number) : tree(glslVariable(GlslType::index, std::to_string(number))) {}
-
-GlslScalar::GlslScalar(double number)
-    : tree(glslOperation(GlslType::real, number < 0 ? GlslPrecedence::unary : GlslPrecedence::primary,
-                         glslNumber(number), {}))
-{
 }
 
 GlslBody printedGlsl(std::span<const GlslTree> roots, const std::string& prefix, const std::string& precision)

@@ -30,31 +30,31 @@ struct Cube
         const auto face = [](const Real& coordinate, int positive) {
             return select(coordinate >= Real(0), Index<Real>(positive), Index<Real>(positive + 1));
         };
-        return select(both(xSize >= ySize, xSize >= zSize), face(d.x, 0),
-                      select(ySize >= zSize, face(d.y, 2), face(d.z, 4)));
+        const auto xLargest = named(both(xSize >= ySize, xSize >= zSize), "xLargest");
+        return select(xLargest, face(d.x, 0), select(ySize >= zSize, face(d.y, 2), face(d.z, 4)));
     }
 
     // (s, t, distance along the face's axis).
     template <class Real>
     static Vec3<Real> local(const Index<Real>& component, const Vec3<Real>& d)
     {
-        const Real sign = named(signOf<Real>(component), "sign");
-        const auto alongX = named(component < 2, "alongX");
-        const auto alongY = named(component < 4, "alongYOrX");
-        return {select(alongX, -sign * d.z, select(alongY, d.x, sign * d.x)),
-                select(alongX, -d.y, select(alongY, sign * d.z, -d.y)),
-                sign * select(alongX, d.x, select(alongY, d.y, d.z))};
+        const Real side = named(sideOf<Real>(component), "side");
+        const auto alongX = named(either(component == 0, component == 1), "alongX");
+        const auto alongY = named(either(component == 2, component == 3), "alongY");
+        return {select(alongX, -side * d.z, select(alongY, d.x, side * d.x)),
+                select(alongX, -d.y, select(alongY, side * d.z, -d.y)),
+                side * select(alongX, d.x, select(alongY, d.y, d.z))};
     }
 
     template <class Real>
     static Vec3<Real> fromLocal(const Index<Real>& component, const Vec3<Real>& p)
     {
-        const Real sign = named(signOf<Real>(component), "sign");
-        const auto alongX = named(component < 2, "alongX");
-        const auto alongY = named(component < 4, "alongYOrX");
-        return {select(alongX, sign * p.z, select(alongY, p.x, sign * p.x)),
-                select(alongX, -p.y, select(alongY, sign * p.z, -p.y)),
-                select(alongX, -sign * p.x, select(alongY, sign * p.y, sign * p.z))};
+        const Real side = named(sideOf<Real>(component), "side");
+        const auto alongX = named(either(component == 0, component == 1), "alongX");
+        const auto alongY = named(either(component == 2, component == 3), "alongY");
+        return {select(alongX, side * p.z, select(alongY, p.x, side * p.x)),
+                select(alongX, -p.y, select(alongY, side * p.z, -p.y)),
+                select(alongX, -side * p.x, select(alongY, side * p.y, side * p.z))};
     }
 
     // The point (s, t) at distance 1 of the face's plane.
@@ -78,15 +78,15 @@ struct Cube
     {
         const Real s = named(signedFromUnit(uv.x), "s");
         const Real t = named(signedFromUnit(uv.y), "t");
-        const Real distance = named(sqrt(s * s + t * t + Real(1)), "distance");
-        return fromLocal(component, Vec3<Real>{named(s / distance, "right"), named(t / distance, "down"),
-                                               named(Real(1) / distance, "ahead")});
+        const Real range = named(sqrt(s * s + t * t + Real(1)), "range");
+        return fromLocal(component, Vec3<Real>{named(s / range, "right"), named(t / range, "down"),
+                                               named(Real(1) / range, "ahead")});
     }
 
 private:
     // Faces 1, 3 and 5 look along a negative axis.
     template <class Real>
-    static Real signOf(const Index<Real>& component)
+    static Real sideOf(const Index<Real>& component)
     {
         return select(either(either(component == 1, component == 3), component == 5), Real(-1), Real(1));
     }

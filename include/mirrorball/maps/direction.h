@@ -15,29 +15,19 @@
 namespace mirrorball {
 
 template <class Real>
-Real flushed(const Real& x)
-{
-    return select(abs(x) < Real(ScalarTraits<Real>::smallestNormal), Real(0), x);
-}
-
-template <class Real>
 Vec3<Real> regularDirection(const Vec3<Real>& d, const Vec3<double>& front)
 {
-    const auto nan = either(either(isNan(d.x), isNan(d.y)), isNan(d.z));
     const auto infinite =
         named(either(either(isInfinite(d.x), isInfinite(d.y)), isInfinite(d.z)), "infinite");
-    const auto finite = [&](const Real& x) {
-        return select(infinite, select(isInfinite(x), signNotZero(x), Real(0)), flushed(x));
-    };
-    const Real x = named(finite(d.x), "x");
-    const Real y = named(finite(d.y), "y");
-    const Real z = named(finite(d.z), "z");
+    const Real x = named(select(infinite, infinitySign(d.x), flushed(d.x)), "x");
+    const Real y = named(select(infinite, infinitySign(d.y), flushed(d.y)), "y");
+    const Real z = named(select(infinite, infinitySign(d.z), flushed(d.z)), "z");
 
     const Real size = named(max(max(abs(x), abs(y)), abs(z)), "size");
-    const auto none = named(either(nan, size < Real(ScalarTraits<Real>::smallestNormal)), "none");
-    const Real scale =
-        named(select(size > Real(ScalarTraits<Real>::large), Real(ScalarTraits<Real>::scaleOfLarge), Real(1)),
-              "scale");
+    const auto nan = named(either(either(isNan(d.x), isNan(d.y)), isNan(d.z)), "nan");
+    const auto none = named(either(nan, size <= Real(0)), "none");
+    const Real large = Real(ScalarTraits<Real>::large);
+    const Real scale = named(select(size > large, Real(ScalarTraits<Real>::scaleOfLarge), Real(1)), "scale");
     const Real divisor = named(select(none, Real(1), size * scale), "divisor");
     return {select(none, Real(front.x), flushed(x * scale / divisor)),
             select(none, Real(front.y), flushed(y * scale / divisor)),

@@ -41,8 +41,9 @@ struct EquiAngularCube
         const Real cosDown = named(cosPi(down), "cosDown");
         const Vec3<Real> p{named(sinPi(across) * cosDown, "s"), named(sinPi(down) * cosAcross, "t"),
                            named(cosAcross * cosDown, "m")};
-        const Real distance = named(length(p), "distance");
-        return Cube::fromLocal(component, Vec3<Real>{p.x / distance, p.y / distance, p.z / distance});
+        const Real range = named(length(p), "range");
+        return Cube::fromLocal(component, Vec3<Real>{named(p.x / range, "right"), named(p.y / range, "below"),
+                                                     named(p.z / range, "ahead")});
     }
 };
 

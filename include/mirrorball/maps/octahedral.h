@@ -45,8 +45,8 @@ struct Octahedral
         const Real b0 = named(signedFromUnit(uv.y), "b0");
         const auto pastA = named(abs(a0) > Real(1), "pastA");
         const auto pastB = named(abs(b0) > Real(1), "pastB");
-        const Real a1 = select(pastA, Real(2) * signNotZero(a0) - a0, a0);
-        const Real b1 = select(pastB, Real(2) * signNotZero(b0) - b0, b0);
+        const Real a1 = named(select(pastA, Real(2) * signNotZero(a0) - a0, a0), "a1");
+        const Real b1 = named(select(pastB, Real(2) * signNotZero(b0) - b0, b0), "b1");
         const Real a = named(select(pastB, -a1, a1), "a");
         const Real b = named(select(pastA, -b1, b1), "b");
 

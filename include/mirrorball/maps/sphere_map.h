@@ -63,8 +63,8 @@ private:
         const Real safeSize = named(select(none, Real(1), size), "safeSize");
         const Real across = named(select(none, Real(1), x / safeSize), "across");
         const Real up = named(y / safeSize, "up");
-        const Real distance = named(length(across, up), "distance");
-        return {across / distance, up / distance};
+        const Real range = named(length(across, up), "range");
+        return {across / range, up / range};
     }
 };
 

@@ -20,7 +20,7 @@ Real atanPiPolynomial(const Real& t)
     const Real s = named(t * t, "s");
     const Real p0 = Real(0.00694543496) + s * Real(-0.00128712936);
     const Real p1 = Real(0.0306737293) + s * (Real(-0.0177753922) + s * p0);
-    const Real p2 = Real(0.0634898245) + s * (Real(-0.0442641452) + s * p1);
+    const Real p2 = named(Real(0.0634898245) + s * (Real(-0.0442641452) + s * p1), "p");
     return t * (Real(0.318309665) + s * (Real(-0.106091999) + s * p2));
 }
 
@@ -30,7 +30,7 @@ template <class Real>
 Real sinPiPolynomial(const Real& x)
 {
     const Real s = named(x * x, "s");
-    const Real p = Real(2.54995775) + s * (Real(-0.597625196) + s * Real(0.0764328912));
+    const Real p = named(Real(2.54995775) + s * (Real(-0.597625196) + s * Real(0.0764328912)), "p");
     return x * (Real(3.1415925) + s * (Real(-5.1677022) + s * p));
 }
 

@@ -31,49 +31,25 @@ enum class GlslPrecedence {
     selection = 15,
 };
 
+struct GlslNode;
+using GlslTree = std::shared_ptr<const GlslNode>;
 struct GlslNode
 {
     GlslType type;
     GlslPrecedence precedence;
     std::string text; // $0, $1, $2 stand for the operands, @ for the prefix of a helper function
-    std::vector<std::shared_ptr<const GlslNode>> operands;
+    std::vector<GlslTree> operands;
     std::string name; // of the local variable, may be empty
 };
-using GlslTree = std::shared_ptr<const GlslNode>;
 
-// None of these converts to bool or to a number: a formula cannot branch on them in C++.
-struct GlslCondition
-{
-    GlslTree tree;
-};
-
-struct GlslIndex
-{
-    GlslTree tree;
-
-    explicit GlslIndex(GlslTree recorded) : tree(std::move(recorded)) {}
-    MIRRORBALL_EXPORT explicit GlslIndex(int number);
-};
-
-struct GlslScalar
-{
-    GlslTree tree;
-
-    explicit GlslScalar(GlslTree recorded) : tree(std::move(recorded)) {}
-    MIRRORBALL_EXPORT explicit GlslScalar(double number);
-};
-
-template <>
-struct ScalarTraits<GlslScalar> : ScalarTraits<float>
-{
-    using Index = GlslIndex;
-};
-
-// A variable of the shader's, such as "direction.x".
+// A number or a variable of the shader's, such as "direction.x"; what is computed from others; the same with
+// a name.
+MIRRORBALL_EXPORT GlslTree glslNumber(double number);
+MIRRORBALL_EXPORT GlslTree glslNumber(int number);
 MIRRORBALL_EXPORT GlslTree glslVariable(GlslType type, const std::string& text);
-MIRRORBALL_EXPORT GlslTree glslOperation(GlslType type, GlslPrecedence precedence, const std::string& text,
+MIRRORBALL_EXPORT GlslTree glslOperation(GlslType type, GlslPrecedence precedence, const char* text,
                                          std::vector<GlslTree> operands);
-MIRRORBALL_EXPORT GlslTree glslNamed(const GlslTree& tree, const std::string& name);
+MIRRORBALL_EXPORT GlslTree glslNamed(const GlslTree& tree, const char* name);
 
 struct GlslBody
 {
@@ -85,145 +61,112 @@ struct GlslBody
 MIRRORBALL_EXPORT GlslBody printedGlsl(std::span<const GlslTree> roots, const std::string& prefix,
                                        const std::string& precision);
 
-// ---- The vocabulary --------------------------------------------------------------------------------
+// ---- The vocabulary. Nothing here converts to bool or int: a formula cannot branch on it in C++. ---
 
-inline GlslScalar glslReal(GlslPrecedence precedence, const char* text, std::vector<GlslTree> operands)
+struct GlslCondition
 {
-    return GlslScalar(glslOperation(GlslType::real, precedence, text, std::move(operands)));
-}
-inline GlslCondition glslCondition(GlslPrecedence precedence, const char* text,
-                                   std::vector<GlslTree> operands)
-{
-    return {glslOperation(GlslType::condition, precedence, text, std::move(operands))};
-}
+    GlslTree tree;
 
-inline GlslScalar operator-(const GlslScalar& a)
-{
-    return glslReal(GlslPrecedence::unary, "-$0", {a.tree});
-}
-inline GlslScalar operator+(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslReal(GlslPrecedence::sum, "$0 + $1", {a.tree, b.tree});
-}
-inline GlslScalar operator-(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslReal(GlslPrecedence::sum, "$0 - $1", {a.tree, b.tree});
-}
-inline GlslScalar operator*(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslReal(GlslPrecedence::product, "$0 * $1", {a.tree, b.tree});
-}
-inline GlslScalar operator/(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslReal(GlslPrecedence::product, "$0 / $1", {a.tree, b.tree});
-}
+    using P = GlslPrecedence;
+    static GlslCondition of(P precedence, const char* text, const GlslTree& a, const GlslTree& b)
+    {
+        return {glslOperation(GlslType::condition, precedence, text, {a, b})};
+    }
 
-inline GlslCondition operator<(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslCondition(GlslPrecedence::relation, "$0 < $1", {a.tree, b.tree});
-}
-inline GlslCondition operator<=(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslCondition(GlslPrecedence::relation, "$0 <= $1", {a.tree, b.tree});
-}
-inline GlslCondition operator>(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslCondition(GlslPrecedence::relation, "$0 > $1", {a.tree, b.tree});
-}
-inline GlslCondition operator>=(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslCondition(GlslPrecedence::relation, "$0 >= $1", {a.tree, b.tree});
-}
-inline GlslCondition operator==(const GlslIndex& a, int k)
-{
-    return glslCondition(GlslPrecedence::equality, "$0 == $1", {a.tree, GlslIndex(k).tree});
-}
-inline GlslCondition operator<(const GlslIndex& a, int k)
-{
-    return glslCondition(GlslPrecedence::relation, "$0 < $1", {a.tree, GlslIndex(k).tree});
-}
-inline GlslCondition both(const GlslCondition& a, const GlslCondition& b)
-{
-    return glslCondition(GlslPrecedence::logicalAnd, "$0 && $1", {a.tree, b.tree});
-}
-inline GlslCondition either(const GlslCondition& a, const GlslCondition& b)
-{
-    return glslCondition(GlslPrecedence::logicalOr, "$0 || $1", {a.tree, b.tree});
-}
-inline GlslCondition isNan(const GlslScalar& x)
-{
-    return glslCondition(GlslPrecedence::primary, "@isNan($0)", {x.tree});
-}
-inline GlslCondition isInfinite(const GlslScalar& x)
-{
-    return glslCondition(GlslPrecedence::primary, "@isInfinite($0)", {x.tree});
-}
+    friend GlslCondition both(const GlslCondition& a, const GlslCondition& b)
+    {
+        return of(P::logicalAnd, "$0 && $1", a.tree, b.tree);
+    }
+    friend GlslCondition either(const GlslCondition& a, const GlslCondition& b)
+    {
+        return of(P::logicalOr, "$0 || $1", a.tree, b.tree);
+    }
+    friend GlslCondition named(const GlslCondition& value, const char* name)
+    {
+        return {glslNamed(value.tree, name)};
+    }
+};
 
-inline GlslScalar select(const GlslCondition& condition, const GlslScalar& yes, const GlslScalar& no)
+struct GlslIndex
 {
-    return glslReal(GlslPrecedence::selection, "$0 ? $1 : $2", {condition.tree, yes.tree, no.tree});
-}
-inline GlslIndex select(const GlslCondition& condition, const GlslIndex& yes, const GlslIndex& no)
-{
-    return GlslIndex(glslOperation(GlslType::index, GlslPrecedence::selection, "$0 ? $1 : $2",
-                                   {condition.tree, yes.tree, no.tree}));
-}
+    GlslTree tree;
 
-// A function of one or two numbers.
-inline GlslScalar glslCall(const char* text, std::vector<GlslTree> operands)
-{
-    return glslReal(GlslPrecedence::primary, text, std::move(operands));
-}
-inline GlslScalar abs(const GlslScalar& x)
-{
-    return glslCall("abs($0)", {x.tree});
-}
-inline GlslScalar sqrt(const GlslScalar& x)
-{
-    return glslCall("sqrt($0)", {x.tree});
-}
-inline GlslScalar min(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslCall("min($0, $1)", {a.tree, b.tree});
-}
-inline GlslScalar max(const GlslScalar& a, const GlslScalar& b)
-{
-    return glslCall("max($0, $1)", {a.tree, b.tree});
-}
-inline GlslScalar atanPi(const GlslScalar& t)
-{
-    return glslCall("@atanPi($0)", {t.tree});
-}
-inline GlslScalar sinPiAcute(const GlslScalar& x)
-{
-    return glslCall("@sinPiAcute($0)", {x.tree});
-}
-inline GlslScalar signNotZero(const GlslScalar& x)
-{
-    return select(x < GlslScalar(0), GlslScalar(-1), GlslScalar(1));
-}
+    explicit GlslIndex(GlslTree recorded) : tree(std::move(recorded)) {}
+    explicit GlslIndex(int number) : tree(glslNumber(number)) {}
 
-// Printed as helper functions, whose bodies are the templates of elementary.h.
-inline GlslScalar atan2Pi(const GlslScalar& y, const GlslScalar& x)
-{
-    return glslCall("@atan2Pi($0, $1)", {y.tree, x.tree});
-}
-inline GlslScalar sinPi(const GlslScalar& x)
-{
-    return glslCall("@sinPi($0)", {x.tree});
-}
-inline GlslScalar cosPi(const GlslScalar& x)
-{
-    return glslCall("@cosPi($0)", {x.tree});
-}
+    friend GlslCondition operator==(const GlslIndex& a, int k)
+    {
+        return GlslCondition::of(GlslPrecedence::equality, "$0 == $1", a.tree, glslNumber(k));
+    }
+    friend GlslIndex select(const GlslCondition& condition, const GlslIndex& yes, const GlslIndex& no)
+    {
+        return GlslIndex(glslOperation(GlslType::index, GlslPrecedence::selection, "$0 ? $1 : $2",
+                                       {condition.tree, yes.tree, no.tree}));
+    }
+};
 
-inline GlslScalar named(const GlslScalar& value, const char* name)
+struct GlslScalar
 {
-    return GlslScalar(glslNamed(value.tree, name));
-}
-inline GlslCondition named(const GlslCondition& value, const char* name)
+    GlslTree tree;
+
+    explicit GlslScalar(GlslTree recorded) : tree(std::move(recorded)) {}
+    explicit GlslScalar(double number) : tree(glslNumber(number)) {}
+
+    using P = GlslPrecedence;
+    using S = GlslScalar;
+    static S of(P precedence, const char* text, std::vector<GlslTree> operands)
+    {
+        return S(glslOperation(GlslType::real, precedence, text, std::move(operands)));
+    }
+    static S call(const char* text, const S& a) { return of(P::primary, text, {a.tree}); }
+    static S call(const char* text, const S& a, const S& b) { return of(P::primary, text, {a.tree, b.tree}); }
+    static GlslCondition relation(const char* text, const S& a, const S& b)
+    {
+        return GlslCondition::of(P::relation, text, a.tree, b.tree);
+    }
+    static GlslCondition test(const char* text, const S& x)
+    {
+        return {glslOperation(GlslType::condition, P::primary, text, {x.tree})};
+    }
+
+    friend S operator-(const S& a) { return of(P::unary, "-$0", {a.tree}); }
+    friend S operator+(const S& a, const S& b) { return of(P::sum, "$0 + $1", {a.tree, b.tree}); }
+    friend S operator-(const S& a, const S& b) { return of(P::sum, "$0 - $1", {a.tree, b.tree}); }
+    friend S operator*(const S& a, const S& b) { return of(P::product, "$0 * $1", {a.tree, b.tree}); }
+    friend S operator/(const S& a, const S& b) { return of(P::product, "$0 / $1", {a.tree, b.tree}); }
+
+    friend GlslCondition operator<(const S& a, const S& b) { return relation("$0 < $1", a, b); }
+    friend GlslCondition operator<=(const S& a, const S& b) { return relation("$0 <= $1", a, b); }
+    friend GlslCondition operator>(const S& a, const S& b) { return relation("$0 > $1", a, b); }
+    friend GlslCondition operator>=(const S& a, const S& b) { return relation("$0 >= $1", a, b); }
+    friend GlslCondition isNan(const S& x) { return test("@isNan($0)", x); }
+    friend GlslCondition isInfinite(const S& x) { return test("@isInfinite($0)", x); }
+    friend S select(const GlslCondition& condition, const S& yes, const S& no)
+    {
+        return of(P::selection, "$0 ? $1 : $2", {condition.tree, yes.tree, no.tree});
+    }
+    friend S named(const S& value, const char* name) { return S(glslNamed(value.tree, name)); }
+
+    friend S abs(const S& x) { return call("abs($0)", x); }
+    friend S sqrt(const S& x) { return call("sqrt($0)", x); }
+    friend S min(const S& a, const S& b) { return call("min($0, $1)", a, b); }
+    friend S max(const S& a, const S& b) { return call("max($0, $1)", a, b); }
+    friend S atanPi(const S& t) { return call("@atanPi($0)", t); }
+    friend S sinPiAcute(const S& x) { return call("@sinPiAcute($0)", x); }
+
+    // Calls of helper functions, whose bodies are printed from the templates of scalar.h and elementary.h.
+    friend S signNotZero(const S& x) { return call("@signNotZero($0)", x); }
+    friend S flushed(const S& x) { return call("@flushed($0)", x); }
+    friend S infinitySign(const S& x) { return call("@infinitySign($0)", x); }
+    friend S atan2Pi(const S& y, const S& x) { return call("@atan2Pi($0, $1)", y, x); }
+    friend S sinPi(const S& x) { return call("@sinPi($0)", x); }
+    friend S cosPi(const S& x) { return call("@cosPi($0)", x); }
+};
+
+template <>
+struct ScalarTraits<GlslScalar> : ScalarTraits<float>
 {
-    return {glslNamed(value.tree, name)};
-}
+    using Index = GlslIndex;
+};
 
 } // namespace mirrorball

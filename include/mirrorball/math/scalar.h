@@ -13,9 +13,10 @@
 //     select(condition, yes, no)       both are evaluated: each must be finite. At a seam a derivative is
 //     that
 //                                      of the value taken
-//     component == k, component < k    a condition on an Index<Real>
+//     component == k                   a condition on an Index<Real>
 //     named(value, "latitude")         the value; a name for it in printed GLSL
 //     atanPi  sinPiAcute               elementary.h; from them atan2Pi, sinPi, cosPi
+//     flushed  infinitySign            below, from the other words
 // A condition or an index need not be a bool or an int (an undecided one, a recorded one): `if` and `?:` do
 // not compile on them, which tests/must_not_compile holds.
 #pragma once
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace mirrorball {
 
@@ -82,11 +84,6 @@ Real sqrt(Real x)
 {
     return std::sqrt(x);
 }
-template <std::floating_point Real>
-Real signNotZero(Real x)
-{
-    return x < Real(0) ? Real(-1) : Real(1);
-}
 
 // yes and no: two numbers or two indices.
 template <class Value>
@@ -111,6 +108,26 @@ inline bool isNan(double x)
 inline bool isInfinite(double x)
 {
     return (std::bit_cast<std::uint64_t>(x) & 0x7fffffffffffffffu) == 0x7ff0000000000000u;
+}
+
+template <class Real>
+Real signNotZero(const Real& x)
+{
+    return select(x < Real(0), Real(-1), Real(1));
+}
+
+// x, or 0 where it is subnormal.
+template <class Real>
+Real flushed(const Real& x)
+{
+    return select(abs(x) < Real(ScalarTraits<Real>::smallestNormal), Real(0), x);
+}
+
+// -1 or 1 for an infinity, 0 for a finite number.
+template <class Real>
+Real infinitySign(const Real& x)
+{
+    return select(isInfinite(x), signNotZero(x), Real(0));
 }
 
 template <class Value>
