@@ -3,6 +3,7 @@
 // through functions that know from the header how much a picture can need.
 #include "io/decoders.h"
 #include "io/file.h"
+#include "io/jpeg_tables.h"
 
 #include <mirrorball/error.h>
 
@@ -125,6 +126,8 @@ bool isJpeg(const std::string& bytes)
 
 EncodedImage decodePngOrJpeg(const std::filesystem::path& path, const std::string& bytes)
 {
+    if (isJpeg(bytes))
+        checkJpegTables(path, bytes);
     EncodedImage image;
     allocationLimit = allocationLimitFor(0, 1, 1);
     Source header{bytes};
