@@ -12,6 +12,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 
 #include <cmath>
 #include <string>
@@ -63,8 +64,22 @@ void requireFinite(const glm::dvec3& point, const std::string& asked)
         throw Error(ErrorKind::badArgument, asked, "a coordinate is not finite", "give finite numbers");
 }
 
-// The largest float distance that still counts as a far plane; beyond it far is treated as infinite.
-constexpr float largestFar = 1e30f;
+bool hasClipControl()
+{
+    return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
+}
+
+// Depth is 1 at near and 0 at far, linear in 1 / w: floats are dense towards 0, so that the relative
+// precision is the same at every distance. Returns (a, b) of z = a * w + b in clip space, where w is the
+// radial distance (or the homogeneous coordinate of a linear view).
+glm::dvec2 reversedDepth(double near, double far)
+{
+    const double inverseFar = 1.0 / far; // 0 for an infinite far
+    const double b = 1.0 / (1.0 / near - inverseFar);
+    const double a = -b * inverseFar;
+    // Without clip control z runs from -1 to 1 in OpenGL's own way, and some of the precision is lost.
+    return hasClipControl() ? glm::dvec2(a, b) : glm::dvec2(2.0 * a - 1.0, 2.0 * b);
+}
 
 } // namespace
 
@@ -79,7 +94,6 @@ struct ReflectionProbe::Implementation
     ReflectionMap map;
     bool capturing = false;
     CaptureReport report;
-    unsigned int programInUse = 0;
 
     explicit Implementation(const Desc& given);
     void checkRange();
@@ -156,7 +170,7 @@ void ReflectionProbe::Implementation::clear(const capture::MapTextures& textures
     glClearBufferfv(GL_COLOR, 0, glm::value_ptr(desc.background));
     const float nothing[4] = {std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
     glClearBufferfv(GL_COLOR, 1, nothing);
-    const float farthest = 1.0f;
+    const float farthest = desc.depthTerm == DepthTerm::textbook ? 1.0f : 0.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
@@ -168,21 +182,13 @@ void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, i
     glUniform2f(linked.range, near, desc.far);
     glUniform2f(linked.size, static_cast<float>(size.width), static_cast<float>(size.height));
 
-    const double nearest = static_cast<double>(near), farthest = static_cast<double>(desc.far);
-    if (!capture::isPiecewiseLinear(desc.map)) {
-        // z from -1 at near to 1 at far, linear in 1 / distance.
-        const double inverseFar = desc.far < largestFar ? 1.0 / farthest : 0.0;
-        const double slope = -2.0 / (1.0 / nearest - inverseFar);
-        glUniform2f(linked.depth, static_cast<float>(1.0 - slope * inverseFar), static_cast<float>(slope));
+    const capture::LinearRange reach = capture::isPiecewiseLinear(desc.map) ? capture::linearRange(desc.map)
+                                                                            : capture::LinearRange{1.0, 1.0};
+    const glm::dvec2 depthTerms = reversedDepth(static_cast<double>(near) * reach.smallest,
+                                                static_cast<double>(desc.far) * reach.largest);
+    glUniform2f(linked.depth, static_cast<float>(depthTerms.x), static_cast<float>(depthTerms.y));
+    if (!capture::isPiecewiseLinear(desc.map))
         return;
-    }
-    const capture::LinearRange range = capture::linearRange(desc.map);
-    const double w0 = nearest * range.smallest;
-    const double w1 =
-        desc.far < largestFar ? farthest * range.largest : std::numeric_limits<double>::infinity();
-    const double scale = std::isinf(w1) ? 1.0 : (w1 + w0) / (w1 - w0);
-    const double shift = std::isinf(w1) ? -2.0 * w0 : -2.0 * w0 * w1 / (w1 - w0);
-    glUniform2f(linked.depth, static_cast<float>(scale), static_cast<float>(shift));
     const int views = capture::viewCount(desc.map);
     std::vector<glm::mat3> clip, inward;
     for (int index = 0; index < views; ++index) {
@@ -318,6 +324,11 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
     } capturing(self.capturing);
     const gl::StateGuard guard;
     guard.neutralise();
+    if (self.desc.depthTerm == DepthTerm::radial) {
+        glDepthFunc(GL_GREATER);
+        if (hasClipControl())
+            glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    }
     self.report = {};
     self.report.texels = static_cast<std::size_t>(self.size.width) *
                          static_cast<std::size_t>(self.size.height) *

@@ -46,7 +46,7 @@ glm::dmat3 turned(double angle, const glm::dvec3& axis)
 bool isNearCut(MapKind map, const glm::dvec3& unitDirection)
 {
     if (map == MapKind::sphereMap)
-        return unitDirection.z < -0.7;
+        return unitDirection.z < -0.3;
     // A sixteenth of the map is 22.5 degrees of longitude on both sides of the cut at +z.
     return map == MapKind::equirectangular &&
            (std::abs(unitDirection.y) > 0.9 || std::abs(unitDirection.x) < 0.42 * unitDirection.z);
