@@ -11,8 +11,9 @@ namespace tests {
 
 HostileState::HostileState() : objects_(std::make_unique<HostObjects>())
 {
-    for (const auto& group : {hostileRasterisation(), hostileFragments(), hostileTransfer(),
-                              hostileFixedFunction(), hostileBindings()})
+    // Pixel transfer after the fixed function, whose polygon stipple is itself unpacked.
+    for (const auto& group : {hostileRasterisation(), hostileFragments(), hostileFixedFunction(),
+                              hostileTransfer(), hostileBindings()})
         for (const HostileEntry& entry : group)
             if (has(entry.gate)) {
                 entries_.push_back(&entry);

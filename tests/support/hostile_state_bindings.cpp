@@ -1,6 +1,9 @@
 // The host's own objects, bound wherever a guest would bind its own.
 #include "support/hostile_state_entries.h"
 
+#include <iterator>
+#include <tuple>
+
 namespace tests {
 
 namespace {
@@ -63,7 +66,37 @@ void bindBufferEverywhere(GLuint buffer)
             glBindBuffer(target.target, buffer);
 }
 
-constexpr GLenum activeQueries[] = {GL_SAMPLES_PASSED, GL_TIME_ELAPSED, GL_PRIMITIVES_GENERATED};
+struct QueryTarget
+{
+    GLenum target;
+    Gate gate;
+};
+
+// All that can be active together; of the three that count samples only one can.
+constexpr QueryTarget queryTargets[] = {
+    {GL_SAMPLES_PASSED, always},
+    {GL_TIME_ELAPSED, always},
+    {GL_PRIMITIVES_GENERATED, always},
+    {GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, always},
+    {GL_TRANSFORM_FEEDBACK_OVERFLOW, overflowQuery},
+    {GL_VERTICES_SUBMITTED, pipelineStatistics},
+    {GL_PRIMITIVES_SUBMITTED, pipelineStatistics},
+    {GL_VERTEX_SHADER_INVOCATIONS, pipelineStatistics},
+    {GL_GEOMETRY_SHADER_INVOCATIONS, pipelineStatistics},
+    {GL_GEOMETRY_SHADER_PRIMITIVES_EMITTED, pipelineStatistics},
+    {GL_FRAGMENT_SHADER_INVOCATIONS, pipelineStatistics},
+    {GL_CLIPPING_INPUT_PRIMITIVES, pipelineStatistics},
+    {GL_CLIPPING_OUTPUT_PRIMITIVES, pipelineStatistics},
+};
+static_assert(std::size(queryTargets) == std::tuple_size_v<decltype(HostObjects::queries)>);
+
+// Attribute 0 of a compatibility context is the current vertex and has no value.
+template <class Change>
+void forEachAttributeValue(Change change)
+{
+    for (GLuint i = has(compatibility) ? 1 : 0; i < static_cast<GLuint>(limit(GL_MAX_VERTEX_ATTRIBS)); ++i)
+        change(i);
+}
 
 constexpr HostileEntry entries[] = {
     {"host's framebuffers bound", always,
@@ -80,12 +113,11 @@ constexpr HostileEntry entries[] = {
      [](const HostObjects&) { glBindVertexArray(0); }},
     {"attribute values", always,
      [](const HostObjects&) {
-         for (GLuint i = 1; i < static_cast<GLuint>(limit(GL_MAX_VERTEX_ATTRIBS)); ++i)
-             glVertexAttrib4f(i, static_cast<GLfloat>(i), 0.1f, 0.2f, 0.3f);
+         forEachAttributeValue(
+             [](GLuint i) { glVertexAttrib4f(i, static_cast<GLfloat>(i), 0.1f, 0.2f, 0.3f); });
      },
      [](const HostObjects&) {
-         for (GLuint i = 1; i < static_cast<GLuint>(limit(GL_MAX_VERTEX_ATTRIBS)); ++i)
-             glVertexAttrib4f(i, 0.0f, 0.0f, 0.0f, 1.0f);
+         forEachAttributeValue([](GLuint i) { glVertexAttrib4f(i, 0.0f, 0.0f, 0.0f, 1.0f); });
      }},
     {"host's buffer on every binding point", always,
      [](const HostObjects& host) {
@@ -113,11 +145,12 @@ constexpr HostileEntry entries[] = {
          glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
          glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
      }},
-    {"host's program in use", always, [](const HostObjects& host) { glUseProgram(host.program); },
-     [](const HostObjects&) { glUseProgram(0); }},
+    // before the program: while one is in use, Mesa ignores that pipeline 0 is bound
     {"host's pipeline bound", separateShaders,
      [](const HostObjects& host) { glBindProgramPipeline(host.pipeline); },
      [](const HostObjects&) { glBindProgramPipeline(0); }},
+    {"host's program in use", always, [](const HostObjects& host) { glUseProgram(host.program); },
+     [](const HostObjects&) { glUseProgram(0); }},
     {"textures on every unit", always,
      [](const HostObjects& host) {
          forEachUnit([&](GLuint) {
@@ -153,13 +186,18 @@ constexpr HostileEntry entries[] = {
      [](const HostObjects&) { glActiveTexture(GL_TEXTURE0); }},
     {"queries active", always,
      [](const HostObjects& host) {
-         for (std::size_t i = 0; i < host.queries.size(); ++i)
-             glBeginQuery(activeQueries[i], host.queries[i]);
+         for (std::size_t i = 0; i < std::size(queryTargets); ++i)
+             if (has(queryTargets[i].gate))
+                 glBeginQuery(queryTargets[i].target, host.queries[i]);
      },
      [](const HostObjects&) {
-         for (GLenum target : activeQueries)
-             glEndQuery(target);
+         for (const QueryTarget& query : queryTargets)
+             if (has(query.gate))
+                 glEndQuery(query.target);
      }},
+    {"no threads for shader compilers", parallelCompile,
+     [](const HostObjects&) { glMaxShaderCompilerThreadsKHR(0); },
+     [](const HostObjects&) { glMaxShaderCompilerThreadsKHR(~0u); }},
     {"debug group open", debugOutput,
      [](const HostObjects&) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, "the host's"); },
      [](const HostObjects&) { glPopDebugGroup(); }},

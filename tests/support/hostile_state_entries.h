@@ -39,8 +39,8 @@ struct HostObjects
     GLuint drawFramebuffer = 0;
     GLuint readFramebuffer = 0;
     GLuint renderbuffer = 0;
-    GLuint transformFeedback = 0; // 0 where the context has only the default one
-    std::array<GLuint, 3> queries{};
+    GLuint transformFeedback = 0;     // 0 where the context has only the default one
+    std::array<GLuint, 13> queries{}; // one for each target that can be active with the others
 };
 
 // Room for a 64-byte range at any binding point, each at its own multiple of 256, the largest alignment that

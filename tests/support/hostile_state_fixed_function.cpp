@@ -6,10 +6,28 @@ namespace tests {
 
 namespace {
 
-constexpr GLenum switches[] = {
-    GL_LIGHTING,     GL_LIGHT0,         GL_FOG,         GL_COLOR_MATERIAL, GL_COLOR_SUM,
-    GL_NORMALIZE,    GL_RESCALE_NORMAL, GL_AUTO_NORMAL, GL_LINE_STIPPLE,   GL_POINT_SMOOTH,
-    GL_POINT_SPRITE, GL_INDEX_LOGIC_OP, GL_TEXTURE_2D,  GL_TEXTURE_GEN_S,  GL_VERTEX_PROGRAM_TWO_SIDE};
+constexpr GLenum switches[] = {GL_LIGHTING,
+                               GL_LIGHT0,
+                               GL_FOG,
+                               GL_COLOR_MATERIAL,
+                               GL_COLOR_SUM,
+                               GL_NORMALIZE,
+                               GL_RESCALE_NORMAL,
+                               GL_AUTO_NORMAL,
+                               GL_LINE_STIPPLE,
+                               GL_POINT_SMOOTH,
+                               GL_POINT_SPRITE,
+                               GL_INDEX_LOGIC_OP,
+                               GL_TEXTURE_1D,
+                               GL_TEXTURE_2D,
+                               GL_TEXTURE_3D,
+                               GL_TEXTURE_CUBE_MAP,
+                               GL_TEXTURE_RECTANGLE,
+                               GL_TEXTURE_GEN_S,
+                               GL_TEXTURE_GEN_T,
+                               GL_TEXTURE_GEN_R,
+                               GL_TEXTURE_GEN_Q,
+                               GL_VERTEX_PROGRAM_TWO_SIDE};
 
 constexpr GLenum clientArrays[] = {GL_COLOR_ARRAY, GL_FOG_COORD_ARRAY, GL_NORMAL_ARRAY,
                                    GL_SECONDARY_COLOR_ARRAY, GL_VERTEX_ARRAY};
@@ -107,6 +125,8 @@ constexpr HostileEntry entries[] = {
          glSecondaryColor3fv(values);
          glNormal3fv(values);
          glFogCoordf(0.5f);
+         glTexCoord4fv(values);
+         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_ADD);
          glWindowPos2f(3.0f, 4.0f);
          glClearAccum(0.25f, 0.5f, 0.75f, 1.0f);
          glLineStipple(3, 0x5555);
