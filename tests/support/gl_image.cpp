@@ -95,14 +95,22 @@ public:
 private:
     struct Parameter
     {
-        explicit Parameter(GLenum parameter) : name(parameter), hostValue(query(parameter)) {}
         GLenum name;
         int hostValue;
     };
 
-    const std::vector<Parameter> parameters_{Parameter(GL_PACK_SWAP_BYTES),  Parameter(GL_PACK_LSB_FIRST),
-                                             Parameter(GL_PACK_ROW_LENGTH),  Parameter(GL_PACK_SKIP_ROWS),
-                                             Parameter(GL_PACK_SKIP_PIXELS), Parameter(GL_PACK_ALIGNMENT)};
+    static std::vector<Parameter> packing()
+    {
+        std::vector<Parameter> parameters;
+        for (GLenum name : {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
+                            GL_PACK_SKIP_PIXELS, GL_PACK_ALIGNMENT})
+            parameters.push_back({name, query(name)});
+        if (epoxy_has_gl_extension("GL_MESA_pack_invert"))
+            parameters.push_back({GL_PACK_INVERT_MESA, query(GL_PACK_INVERT_MESA)});
+        return parameters;
+    }
+
+    const std::vector<Parameter> parameters_ = packing();
     const int hostBuffer_ = query(GL_PIXEL_PACK_BUFFER_BINDING);
     const int hostClamp_ = query(GL_CLAMP_READ_COLOR);
     const int hostFramebuffer_ = query(GL_READ_FRAMEBUFFER_BINDING);

@@ -29,7 +29,7 @@ constexpr TextureTarget textureTargets[] = {
     {GL_TEXTURE_2D_MULTISAMPLE_ARRAY},
 };
 
-// Storage for one texel, or two levels of two by two where image units bind it.
+// Storage for one texel, or two layers of two by two where framebuffers are made of it.
 void allocate(GLenum target, GLuint buffer)
 {
     constexpr GLenum format = GL_RGBA8;
@@ -43,9 +43,7 @@ void allocate(GLenum target, GLuint buffer)
         glTexImage2D(target, 0, format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         break;
     case GL_TEXTURE_2D_ARRAY:
-        for (GLint level = 0; level < 2; ++level)
-            glTexImage3D(target, level, format, 2 >> level, 2 >> level, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                         nullptr);
+        glTexImage3D(target, 0, format, 2, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         break;
     case GL_TEXTURE_3D:
         glTexImage3D(target, 0, format, 1, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
