@@ -13,7 +13,7 @@ struct Card
     std::array<glm::vec3, 3> corners;
 };
 
-// The plane of every card passes the origin at a distance of at least 2.
+// The roof and the screen each fill nearly half of all directions, the two floors a quarter.
 constexpr Card cards[] = {
     // The floor: two triangles, 1000 × 1000.
     {"floor left", {0.55f, 0.50f, 0.40f}, {{{-500, -3, -500}, {-500, -3, 500}, {500, -3, 500}}}},

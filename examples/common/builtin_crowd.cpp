@@ -80,7 +80,7 @@ void addConfetti(Scene& scene, std::size_t count)
         const glm::vec3 side = glm::normalize(glm::cross(direction, glm::vec3(0.36f, 0.48f, 0.80f)));
         const glm::vec3 centre = nearest * direction;
         const auto first = static_cast<std::uint32_t>(confetti.positions.size());
-        confetti.positions.insert(confetti.positions.end(), {centre - 0.05f * side, centre + 0.05f * side,
+        confetti.positions.insert(confetti.positions.end(), {centre + 0.05f * side, centre - 0.05f * side,
                                                              centre + 0.08f * glm::cross(direction, side)});
         confetti.normals.insert(confetti.normals.end(), 3, -direction);
         confetti.textureCoordinates.insert(confetti.textureCoordinates.end(), {{0, 0}, {1, 0}, {0, 1}});

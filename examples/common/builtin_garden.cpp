@@ -9,7 +9,10 @@
 namespace examples {
 namespace {
 
-constexpr float ground = -2.0f;
+// The path's top touches the ball of radius 2 around the origin that every scene leaves free; the lawn lies
+// lower.
+constexpr float pathTop = -2.0f;
+constexpr float ground = pathTop - 0.02f;
 
 // A small integer hash (the finaliser of MurmurHash3), mapped to [0, 1): the same noise on every machine.
 float noise(std::uint32_t seed)
@@ -90,13 +93,12 @@ void addGround(Scene& scene)
     appendQuad(lawn, {-60.0f, ground, 60.0f}, {120.0f, 0, 0}, {0, 0, -120.0f}, {40.0f, 40.0f});
     scene.meshes.push_back(lawn);
 
-    // Two paths that cross under the origin, a hand above the lawn; one is cut where the other lies.
+    // Two paths that cross under the origin; one is cut where the other lies.
     const int tiles = addMaterial(scene, "tiles", glm::vec3(1.0f), 0.1f, 20.0f, addCheckerImage(scene));
     Mesh path = meshOf("path", tiles);
-    constexpr float top = ground + 0.02f;
-    appendQuad(path, {-2.0f, top, 40.0f}, {4.0f, 0, 0}, {0, 0, -80.0f}, {2.0f, 40.0f});
-    appendQuad(path, {-40.0f, top, 2.0f}, {38.0f, 0, 0}, {0, 0, -4.0f}, {19.0f, 2.0f});
-    appendQuad(path, {2.0f, top, 2.0f}, {38.0f, 0, 0}, {0, 0, -4.0f}, {19.0f, 2.0f});
+    appendQuad(path, {-2.0f, pathTop, 40.0f}, {4.0f, 0, 0}, {0, 0, -80.0f}, {2.0f, 40.0f});
+    appendQuad(path, {-40.0f, pathTop, 2.0f}, {38.0f, 0, 0}, {0, 0, -4.0f}, {19.0f, 2.0f});
+    appendQuad(path, {2.0f, pathTop, 2.0f}, {38.0f, 0, 0}, {0, 0, -4.0f}, {19.0f, 2.0f});
     scene.meshes.push_back(path);
 }
 

@@ -109,7 +109,7 @@ void testRoundTrip(std::string_view map, int components)
             }
             const glm::dvec3 d = referenceDirection(map, component, u, v);
             CHECK_NEAR(glm::length(d), 1.0, 4e-16); // two units in the last place of 1
-            const Square back = forward(map, component, d.x, d.y, d.z);
+            const Square back = forward(map, component, Real(d.x), Real(d.y), Real(d.z));
             // A direction is right to a few units in the last place; on this grid, half a cell from every
             // border, the worst slope of a forward formula is that of the longitude, 1 / cos(84°) ≈ 10, next
             // to a pole.
