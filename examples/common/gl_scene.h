@@ -40,8 +40,8 @@ public:
     // The meshes as a probe wants them; ids are indices.
     std::vector<mirrorball::CaptureMesh> captureMeshes(mirrorball::CaptureProgram& program) const;
 
-    // Sets the material's uniforms on the program in use and draws.
-    void drawMesh(std::size_t mesh, unsigned int program, const PhongView& view) const;
+    // Sets the material's uniforms on the program in use and draws, as often as asked in one call.
+    void drawMesh(std::size_t mesh, unsigned int program, const PhongView& view, int instances = 1) const;
     void drawAll(unsigned int program, const PhongView& view) const;
 
 private:
