@@ -33,8 +33,8 @@ struct Octahedral
         const Real a = named(d.x / sum, "a");
         const Real b = named(d.y / sum, "b");
         const auto below = named(d.z < Real(0), "below");
-        return {unitFromSigned(select(below, (Real(1) - abs(b)) * signNotZero(a), a)),
-                unitFromSigned(select(below, (Real(1) - abs(a)) * signNotZero(b), b))};
+        return {unitFromSigned(select(below, (Real(1) - abs(b)) * signNotZero(d.x), a)),
+                unitFromSigned(select(below, (Real(1) - abs(a)) * signNotZero(d.y), b))};
     }
 
     template <class Real>
