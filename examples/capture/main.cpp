@@ -1,6 +1,7 @@
 // capture: pass 1 by itself. Draws a scene, seen from a point, into a map and writes one EXR a component;
 // with
 // --reference the same texels are traced with Embree instead.
+#include "capture_options.h"
 #include "command_line.h"
 #include "gl_scene.h"
 #include "map_file.h"
@@ -8,77 +9,30 @@
 #include "stats.h"
 
 #include <mirrorball/capture/reflection_probe.h>
-#include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <cmath>
 #include <iostream>
-#include <optional>
 
 namespace {
 
 using namespace examples;
-using mirrorball::CaptureMethod;
-using mirrorball::MapKind;
 
-struct Options
+struct Options : CaptureOptions
 {
-    std::string scene;
     glm::dvec3 at{0.0};
     glm::dvec3 turn{0.0}; // degrees about x, y, z
-    glm::dvec3 offset{0.0};
-    std::optional<glm::dvec3> light;
-    MapKind map = MapKind::tennisBall;
-    int size = 256;
-    CaptureMethod method = CaptureMethod::perVertex;
     double near = 0.05;
-    double far = 10000.0;
     View view = View::colour;
-    bool reference = false;
-    int frames = 1;
     std::string prefix;
-    std::string stats;
+
+    glm::dvec3 centre() const { return at + offset; }
 };
 
 using Files = std::vector<std::pair<std::filesystem::path, mirrorball::io::ExrImage>>;
 
-glm::dmat4 poseOf(const Options& options)
-{
-    glm::dmat4 pose = glm::translate(glm::dmat4(1.0), options.at + options.offset);
-    pose = glm::rotate(pose, glm::radians(options.turn.z), {0, 0, 1});
-    pose = glm::rotate(pose, glm::radians(options.turn.y), {0, 1, 0});
-    return glm::rotate(pose, glm::radians(options.turn.x), {1, 0, 0});
-}
-
-glm::dvec3 lightOf(const Options& options, const Scene& scene)
-{
-    return (options.light ? *options.light : glm::dvec3(scene.light)) + options.offset;
-}
-
 std::filesystem::path fileName(const Options& options, int component)
 {
     return options.prefix + "_" + std::to_string(component) + ".exr";
-}
-
-// The same checks as a capture makes, for --reference, which needs no OpenGL.
-void requireAllowed(const Options& options)
-{
-    if (options.size < 1 || options.size > 16384)
-        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--size " + std::to_string(options.size),
-                                "a map has 1 to 16384 texels across", "ask for a size in that range");
-    if (!(options.near > 0.0) || !std::isfinite(options.near) || !(options.far > options.near))
-        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--near and --far",
-                                "they are not 0 < near < far", "give such numbers");
-    for (const glm::dvec3& point :
-         {options.at, options.turn, options.offset, options.light.value_or(glm::dvec3(0.0))})
-        if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
-            throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "a vector",
-                                    "a coordinate is not finite", "give finite numbers");
-    if (options.frames < 1)
-        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--frames", "it is less than 1",
-                                "give 1 or more");
 }
 
 Files drawMap(const Options& options, const Scene& scene, Stats& stats)
@@ -87,8 +41,8 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
     mirrorball::ReflectionProbe::Desc desc;
     desc.map = options.map;
     desc.n = options.size;
-    desc.worldFromProbe = poseOf(options);
-    desc.captureOrigin = options.at + options.offset;
+    desc.worldFromProbe = poseOf(options.centre(), options.turn);
+    desc.captureOrigin = options.centre();
     desc.near = static_cast<float>(options.near);
     desc.far = static_cast<float>(options.far);
     desc.colour = options.view == View::colour || options.view == View::normal
@@ -136,7 +90,7 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
 Sample traced(const Options& options, const Scene& scene, const ReferenceTracer& tracer,
               const glm::dvec3& direction)
 {
-    const glm::dvec3 centre = options.at + options.offset;
+    const glm::dvec3 centre = options.centre();
     const Hit hit = tracer.trace(centre, direction, options.near, options.far);
     Sample sample = nothingSeen(options.view, scene.background);
     if (!hit.found)
@@ -155,8 +109,8 @@ Sample traced(const Options& options, const Scene& scene, const ReferenceTracer&
 
 Files traceMap(const Options& options, const Scene& scene)
 {
-    const glm::dmat3 worldFromProbe(poseOf(options));
-    const ReferenceTracer tracer(scene, options.at + options.offset);
+    const glm::dmat3 worldFromProbe(poseOf(options.centre(), options.turn));
+    const ReferenceTracer tracer(scene, options.centre());
     const mirrorball::MapInfo& info = mirrorball::mapInfo(options.map);
     const int width = info.widthInN * options.size, height = info.heightInN * options.size;
     Files files;
@@ -179,16 +133,16 @@ Files traceMap(const Options& options, const Scene& scene)
 void run(const Options& options)
 {
     requireAllowed(options);
-    Scene scene = loadScene(options.scene);
-    scene.offset = options.offset;
+    requireRange(options.near, options.far);
+    requireFinite(options.at, "--at");
+    requireFinite(options.turn, "--probe-turn");
+    const Scene scene = sceneOf(options);
     Stats stats;
     stats.add("scene", options.scene);
     stats.add("map", std::string(mirrorball::mapInfo(options.map).name));
     stats.add("size", options.size);
     const Files files = options.reference ? traceMap(options, scene) : drawMap(options, scene, stats);
-    writeAll(files);
-    if (!options.stats.empty())
-        stats.write(options.stats);
+    writeWithStats(stats, options.stats, [&] { writeAll(files); });
     for (const auto& [path, image] : files)
         std::cout << path.string() << '\n';
 }
@@ -201,37 +155,19 @@ int main(int argc, char** argv)
     CLI::App app{
         "Draws a scene, seen from a point, into a map of the whole sphere: one EXR file a component."};
     app.name("capture");
-    app.add_option("SCENE", options.scene,
-                   "a model file, builtin:garden, builtin:room, builtin:cards or builtin:crowd:N")
-        ->required();
+    addCaptureOptions(app, options);
     addVector(app, "--at", options.at, "the probe's centre");
     addVector(app, "--probe-turn", options.turn, "turns the probe about x, then y, then z, in degrees");
-    addVector(app, "--offset", options.offset, "moves scene, probe and light, in double");
-    glm::dvec3 light(0.0);
-    CLI::Option* const lightOption =
-        addVector(app, "--light", light, "the point light (default: the scene's own)");
-    lightOption->default_str("");
-    addMap(app, options.map);
-    addInteger(app, "--size", options.size, "texels across the short side of a component");
-    addChoice<CaptureMethod>(app, "--method", options.method, {{"perVertex", CaptureMethod::perVertex}},
-                             "how triangles are drawn");
-    addNumber(app, "--near", options.near, "nearest radial distance");
-    addNumber(app, "--far", options.far, "farthest radial distance");
+    addNumber(app, "--near", options.near, "nearest radial distance from the probe");
     addChoice<View>(app, "--view", options.view,
                     {{"colour", View::colour},
                      {"position", View::position},
                      {"normal", View::normal},
                      {"triangle", View::triangle}},
                     "what is written");
-    addInteger(app, "--frames", options.frames, "how often it is drawn; times are medians");
-    app.add_flag("--reference", options.reference, "trace the texels with Embree instead");
     app.add_option("-o,--output", options.prefix, "writes PREFIX_0.exr and so on")
         ->required()
         ->type_name("PREFIX");
-    app.add_option("--stats", options.stats, "writes counts and times as JSON")->type_name("FILE");
-    return runProgram(app, argc, argv, [&] {
-        if (lightOption->count() > 0)
-            options.light = light;
-        run(options);
-    });
+    refuseOptions(app, {"--epsilon", "--supersample"});
+    return runProgram(app, argc, argv, [&] { run(options); });
 }

@@ -93,10 +93,20 @@ std::string phongVertexSource()
     return std::string(shaders::phongVert);
 }
 
-std::string phongFragmentSource(View view)
+std::string fragmentPrelude(View view)
 {
     return "#version 330 core\n#define VIEW " + std::to_string(static_cast<int>(view)) +
-           "\n#define AMBIENT " + std::to_string(ambient) + "\n" + std::string(shaders::phongFrag);
+           "\n#define AMBIENT " + std::to_string(ambient) + "\n" + std::string(shaders::lighting);
+}
+
+std::string phongFragmentSource(View view)
+{
+    return fragmentPrelude(view) + std::string(shaders::surface) + std::string(shaders::phongFrag);
+}
+
+std::string pictureFragmentSource(View view)
+{
+    return fragmentPrelude(view) + std::string(shaders::surface) + std::string(shaders::pictureFrag);
 }
 
 GlScene::GlScene(const Scene& scene, const glm::dvec3& origin) : materials_(scene.materials)

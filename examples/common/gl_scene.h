@@ -13,13 +13,19 @@
 
 namespace examples {
 
-// What the fragment shader writes: the number is that of #if VIEW in phong.frag.
+// What the fragment shader writes: the number is that of #if VIEW in surface.glsl.
 enum class View { colour = 0, position = 1, normal = 2, triangle = 3 };
 
-// The vertex and fragment shader that draw the scene, as text: compiled here for the picture, and given to a
-// mirrorball::CaptureProgram for pass 1.
+// The vertex and fragment shader that draw the scene, as text, for a mirrorball::CaptureProgram: pass 1.
 std::string phongVertexSource();
 std::string phongFragmentSource(View view);
+
+// The fragment shader that draws the scene into a picture: output 0 is the colour, output 1 the distance from
+// the eye and 0, where a reflector writes its number from 1.
+std::string pictureFragmentSource(View view);
+
+// What such a fragment shader begins with: #version, VIEW, and phong() with its uniforms.
+std::string fragmentPrelude(View view);
 
 // What the Phong shader needs beside the material; positions relative to the GlScene's origin.
 struct PhongView

@@ -60,6 +60,21 @@ void Stats::write(const std::filesystem::path& path) const
                                 "the file cannot be written", "name a place that can");
 }
 
+void writeWithStats(const Stats& stats, const std::filesystem::path& path,
+                    const std::function<void()>& writeFiles)
+{
+    if (path.empty())
+        return writeFiles();
+    stats.write(path);
+    try {
+        writeFiles();
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+        throw;
+    }
+}
+
 Stopwatch::Stopwatch()
 {
     glFinish();

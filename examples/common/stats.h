@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,10 @@ public:
 private:
     std::vector<std::pair<std::string, std::string>> entries_; // values as JSON spells them
 };
+
+// Writes the statistics (nowhere for an empty path) and then the other files: all of it or nothing.
+void writeWithStats(const Stats& stats, const std::filesystem::path& path,
+                    const std::function<void()>& writeFiles);
 
 // Wall time and process CPU time (all threads) of a stretch of drawing, in milliseconds; glFinish bounds it
 // on both sides, since GL timer queries are wrong on software rasterisers.

@@ -1,0 +1,101 @@
+#include "capture_options.h"
+
+#include <mirrorball/error.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace examples {
+
+using mirrorball::Error;
+using mirrorball::ErrorKind;
+
+std::vector<std::pair<std::string, mirrorball::CaptureMethod>> captureMethods()
+{
+    return {{"perVertex", mirrorball::CaptureMethod::perVertex}};
+}
+
+void addCaptureOptions(CLI::App& app, CaptureOptions& options)
+{
+    app.add_option("SCENE", options.scene,
+                   "a model file, builtin:garden, builtin:room, builtin:cards or builtin:crowd:N")
+        ->required();
+    addVector(app, "--offset", options.offset, "moves everything, in double");
+    addOptionalVector(app, "--light", options.light, "the point light", "the scene's own");
+    addMap(app, options.map);
+    addInteger(app, "--size", options.size, "texels across the short side of a component");
+    addChoice(app, "--method", options.method, captureMethods(), "how triangles are drawn into the map");
+    addNumber(app, "--far", options.far, "farthest radial distance from the probe");
+    addInteger(app, "--frames", options.frames, "how often it is drawn; times are medians");
+    app.add_flag("--reference", options.reference, "trace with Embree instead of drawing");
+    app.add_option("--stats", options.stats, "writes counts and times as JSON")->type_name("FILE");
+}
+
+CLI::Option* addOptionalVector(CLI::App& app, const std::string& name, std::optional<glm::dvec3>& value,
+                               const std::string& description, const std::string& otherwise)
+{
+    return app
+        .add_option_function<std::string>(
+            name, [&value, name](const std::string& text) { value = parseVector(text, name); },
+            description + " (default: " + otherwise + ")")
+        ->type_name("x,y,z");
+}
+
+void refuseOptions(CLI::App& app, const std::vector<std::string>& names)
+{
+    for (const std::string& name : names) {
+        const auto refuse = [name](const std::string&) {
+            throw CLI::ConversionError(name + " is not in this version");
+        };
+        app.add_option_function<std::string>(name, refuse)->group("")->trigger_on_parse();
+    }
+}
+
+void requireAllowed(const CaptureOptions& options)
+{
+    if (options.size < 1 || options.size > 16384)
+        throw Error(ErrorKind::badArgument, "--size " + std::to_string(options.size),
+                    "a map has 1 to 16384 texels across", "ask for a size in that range");
+    if (options.frames < 1)
+        throw Error(ErrorKind::badArgument, "--frames " + std::to_string(options.frames), "it is less than 1",
+                    "give 1 or more");
+    requireFinite(options.offset, "--offset");
+    if (options.light)
+        requireFinite(*options.light, "--light");
+}
+
+void requireRange(double near, double far)
+{
+    if (!(near > 0.0) || !std::isfinite(near) || !(far > near))
+        throw Error(ErrorKind::badArgument, "--near and --far", "they are not 0 < near < far",
+                    "give such numbers");
+}
+
+void requireFinite(const glm::dvec3& vector, const std::string& option)
+{
+    if (!std::isfinite(vector.x) || !std::isfinite(vector.y) || !std::isfinite(vector.z))
+        throw Error(ErrorKind::badArgument, option, "a coordinate is not finite", "give finite numbers");
+}
+
+Scene sceneOf(const CaptureOptions& options)
+{
+    Scene scene = loadScene(options.scene);
+    scene.offset = options.offset;
+    return scene;
+}
+
+glm::dvec3 lightOf(const CaptureOptions& options, const Scene& scene)
+{
+    return options.light.value_or(glm::dvec3(scene.light)) + options.offset;
+}
+
+glm::dmat4 poseOf(const glm::dvec3& centreInWorld, const glm::dvec3& degrees)
+{
+    glm::dmat4 pose = glm::translate(glm::dmat4(1.0), centreInWorld);
+    pose = glm::rotate(pose, glm::radians(degrees.z), {0, 0, 1});
+    pose = glm::rotate(pose, glm::radians(degrees.y), {0, 1, 0});
+    return glm::rotate(pose, glm::radians(degrees.x), {1, 0, 0});
+}
+
+} // namespace examples
