@@ -1,5 +1,5 @@
-// Both components: a context without a window, a picture there and back, and an error that is caught by its type
-// although another library threw it.
+// Both components: a context without a window, a picture there and back, and an error that is caught by its
+// type although another library threw it.
 #include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 #include <mirrorball/io/image.h>

@@ -1,0 +1,33 @@
+#!/bin/sh
+# Installs what is missing (Debian 12, as root or with sudo), builds the programs and renders mirrors into pictures/.
+set -eu
+cd "$(dirname "$0")/.."
+. cmake/debian.sh
+
+# shellcheck disable=SC2086 # words are meant
+install_missing $packages_to_build $packages_with_models
+# shellcheck disable=SC2046 # an empty answer is no argument
+cmake --preset release -DMIRRORBALL_HEADLESS=ON -DMIRRORBALL_IO=ON -DMIRRORBALL_EXAMPLES=ON $(launcher_option)
+cmake --build --preset release --target render
+
+# picture <name> <arguments of render>…: pictures/<name>.png and the timings of its drawing.
+picture() {
+    name=$1
+    shift
+    build-release/examples/render/render "$@" -o "pictures/$name.png" --stats "pictures/$name.json"
+    echo "$PWD/pictures/$name.png"
+    sed -n 's/^ *"\([a-z0-9_]*_ms\|[a-z0-9_]*per_second\)": *\([0-9.e+-]*\),\{0,1\}$/    \1 \2/p' "pictures/$name.json"
+}
+
+mkdir -p pictures
+
+# (1) The teapot and a sphere as mirrors in the garden.
+picture garden_teapot builtin:garden --reflector teapot --scale 0.6 --at 0,0,0 \
+    --eye 2.5,1.5,5 --look 0,0,0 --fov 40 --pixels 1280x720
+picture garden_sphere builtin:garden --reflector sphere:1.5 --at 0,0,0 \
+    --eye 2.5,1.5,5 --look 0,0,0 --fov 40 --pixels 1280x720
+
+# (2) The bunny as a mirror in the living room of a house.
+picture house_bunny /usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc --reflector /usr/share/glmark2/models/bunny.obj \
+    --scale 0.7 --at 4.25,1.1,-2.4 --eye 1.9,1.6,-1.4 --look 4.25,1.1,-2.4 --fov 50 --pixels 1280x720 \
+    --light 3,2.2,-3.5
