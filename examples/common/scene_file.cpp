@@ -19,8 +19,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -257,6 +262,34 @@ void correctPrimitiveTypes(aiMesh& mesh)
     }
 }
 
+// IFC files are STEP files, which end with a mark of their own (ISO 10303-21). Assimp reads what there is of
+// a file that was cut off, and says nothing.
+bool isCutOffStep(const std::string& file)
+{
+    constexpr std::string_view begin = "ISO-10303-21;";
+    constexpr std::string_view end = "END-ISO-10303-21;";
+    constexpr std::streamoff tail = 1024; // room for comments and blank lines behind the mark
+    std::ifstream stream(file, std::ios::binary);
+    std::string head(begin.size(), '\0');
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (head != begin) {
+        return false;
+    }
+    stream.seekg(0, std::ios::end);
+    stream.seekg(std::max<std::streamoff>(stream.tellg() - tail, 0));
+    const std::string last(std::istreambuf_iterator<char>(stream), {});
+    return last.find(end) == std::string::npos;
+}
+
+// An Error's text is one line, whatever a file's name or content brings into Assimp's message.
+std::string oneLine(std::string text)
+{
+    for (char& c : text) {
+        c = static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? ' ' : c;
+    }
+    return text;
+}
+
 // Reads, then triangulates and makes the normals that are missing. The importer owns the result.
 const aiScene& import(Assimp::Importer& importer, const std::string& file, const std::string& asked)
 {
@@ -277,7 +310,7 @@ const aiScene& import(Assimp::Importer& importer, const std::string& file, const
         problem = exception.what();
     }
     if (source == nullptr || source->mRootNode == nullptr) {
-        throw Error(ErrorKind::badFile, asked, "Assimp cannot read it: " + problem);
+        throw Error(ErrorKind::badFile, asked, "Assimp cannot read it: " + oneLine(problem));
     }
     return *source;
 }
@@ -314,6 +347,9 @@ Scene readSceneFile(const std::string& file)
     }
     if (std::filesystem::file_size(file, ignored) == 0) {
         throw Error(ErrorKind::badFile, asked, "the file is empty");
+    }
+    if (isCutOffStep(file)) {
+        throw Error(ErrorKind::badFile, asked, "the file is cut off: its end mark is missing");
     }
 
     Assimp::Importer importer;

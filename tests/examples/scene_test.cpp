@@ -254,8 +254,10 @@ void testErrors(const tests::Scratch& scratch)
     const std::string engine =
         tests::bytesOf(models + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb");
     store(scratch / "short.glb", engine.substr(0, engine.size() / 2));
-    for (const char* file : {"empty.obj", "points.obj", "line.obj", "index.obj", "text.txt", "noise.glb",
-                             "faces.off", "short.glb"})
+    const std::string house = tests::bytesOf(models + "IFC/AC14-FZK-Haus.ifc");
+    store(scratch / "short.ifc", house.substr(0, house.size() * 9 / 10));
+    for (const char* file : {"short.ifc", "empty.obj", "points.obj", "line.obj", "index.obj", "text.txt",
+                             "noise.glb", "faces.off", "short.glb"})
     {
         CHECK_THROWS(loadScene(scratch / file), ErrorKind::badFile);
         CHECK_THROWS(loadReflector(scratch / file), ErrorKind::badFile);
@@ -283,7 +285,8 @@ void testSilence(const tests::Scratch& scratch)
     for (const char* file : {"index.obj", "noise.glb", "short.glb", "faces.off", "odd.obj"}) {
         try {
             loadScene(scratch / file);
-        } catch (const mirrorball::Error&) {
+        } catch (const mirrorball::Error& error) {
+            CHECK(std::string(error.what()).find('\n') == std::string::npos);
         }
     }
     std::fflush(stdout);
