@@ -8,8 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace mirrorball
-{
+namespace mirrorball {
 
 enum class ErrorKind {
     unknownName, // a map, method or option that does not exist
