@@ -378,7 +378,9 @@ void testMirrorMesh()
     CHECK(isNear(seen.mirrorDirection, {1, 0, 0}, 1e-7)); // the normal is a float
     CHECK(seen.mirrored.found && seen.mirrored.triangle == 2 && seen.mirrored.reflector == -1);
     CHECK_NEAR(seen.mirrored.distance, 7.0, 1e-6);
-    CHECK(tracer.look({3.1, 0, 5}, {0, 0, -1}, 0.1, 100.0).kind == SeenKind::scene); // scaled: ends at x = 3
+    // At y = 0 the triangle is 2 wide, scaled 1: from x = 1.5 to 2.5.
+    CHECK(tracer.look({2.45, 0, 5}, {0, 0, -1}, 0.1, 100.0).kind == SeenKind::reflector);
+    CHECK(tracer.look({2.55, 0, 5}, {0, 0, -1}, 0.1, 100.0).kind == SeenKind::scene);
 }
 
 // Two balls: each shows the other as a plain object, and itself not at all.

@@ -37,9 +37,9 @@ constexpr unsigned char fourColours[] = {
     0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 const std::string fourColoursPng(reinterpret_cast<const char*>(fourColours), sizeof fourColours);
 
-// One triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) with normals (0, 0, 1) and texture coordinates (0, 0), (1, 0),
-// (0, 1), used by two nodes: the inner one of a chain (moved by (10, 0, 0), then turned by 90° about z and
-// doubled in x), and one at rest.
+// One triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) with normals (0.6, 0.8, 0) and texture coordinates (0, 0), (1,
+// 0), (0, 1), used by two nodes: the inner one of a chain (moved by (10, 0, 0), then turned by 90° about z
+// and doubled in x), and one at rest.
 std::string smallGltf(const std::string& alphaMode)
 {
     return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
@@ -51,7 +51,7 @@ std::string smallGltf(const std::string& alphaMode)
                        "baseColorTexture": {"index": 0}}}],
         "textures": [{"source": 0}],
         "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4z8DwHwyBNAg0AABJSQl4nFEXkgAAAABJRU5ErkJggg=="}],
-        "buffers": [{"byteLength": 96, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/"}],
+        "buffers": [{"byteLength": 96, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAmpkZP83MTD8AAAAAmpkZP83MTD8AAAAAmpkZP83MTD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/"}],
         "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
                         {"buffer": 0, "byteOffset": 72, "byteLength": 24}],
         "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
@@ -152,7 +152,8 @@ void testNodesAndEmbeddedTexture(const tests::Scratch& scratch)
     CHECK(isNear(moved.positions[moved.triangles[0][0]], {10, 0, 0}, 1e-6f));
     CHECK(isNear(moved.positions[moved.triangles[0][1]], {10, 2, 0}, 1e-6f));
     CHECK(isNear(moved.positions[moved.triangles[0][2]], {9, 0, 0}, 1e-6f));
-    CHECK(isNear(moved.normals[0], {0, 0, 1}, 1e-6f));
+    // A normal goes by the inverse transpose: (0.3, 0.8, 0), turned.
+    CHECK(isNear(moved.normals[0], glm::normalize(glm::vec3(-0.8f, 0.3f, 0)), 1e-6f));
     const Mesh& resting = scene.meshes[1];
     CHECK(resting.positions[resting.triangles[0][1]] == glm::vec3(1, 0, 0));
 

@@ -82,21 +82,43 @@ void testPlace()
     for (const glm::vec3& p : mesh.positions) {
         CHECK(points.contains(keyOf({p.x, p.y, -p.z})));
     }
-    // Halfway down the upper body: (p0 + 3 p1 + 3 p2 + p3) / 8 of (1.5, 2.4), (1.75, 1.875), (2, 1.35), (2,
-    // 0.9).
-    for (const glm::vec3& side :
-         {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)})
-    {
-        CHECK(contains(mesh, 1.84375f * side + glm::vec3(0, 1.621875f, 0)));
-    }
-    // Halfway around the first quarter of the widest ring: (1 + 3 + 3 · 0.56) / 8 of the radius in x and in
-    // z.
-    CHECK(contains(mesh, {1.42f, 0.9f, -1.42f}));
-    // The middle of the lip's opening edge, and the handle's top where it leaves the body.
+    // The ends of the lip's and the handle's outlines.
     CHECK(contains(mesh, {3.2f, 2.4f, 0.0f}) && contains(mesh, {2.8f, 2.4f, 0.0f}));
-    CHECK(contains(mesh, {-1.5f, 2.25f, 0.0f}));
-    // Four poles' worth of the knob's top and of the bottom's middle.
+    CHECK(contains(mesh, {-1.5f, 2.25f, 0.0f}) && contains(mesh, {-1.9f, 0.6f, 0.0f}));
+    // The poles: the knob's top and the bottom's middle.
     CHECK(contains(mesh, {0.0f, 3.15f, 0.0f}) && contains(mesh, {0.0f, 0.0f, 0.0f}));
+}
+
+// The middle of each curve in the plane z = 0 and the middle of patches, by (p0 + 3 p1 + 3 p2 + p3) / 8,
+// worked out from Newell's numbers by hand.
+void testMiddles()
+{
+    const Mesh mesh = examples::teapot(16);
+    const glm::vec2 profile[] = {{1.403125f, 2.4984375f}, {1.84375f, 1.621875f}, {1.75f, 0.384375f},
+                                 {1.284375f, 0.046875f},  {0.325f, 2.98125f},    {0.825f, 2.55f}};
+    for (const glm::vec2& point : profile) { // rim, upper and lower body, bottom, knob, lid
+        for (const glm::vec3& side :
+             {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)})
+        {
+            CHECK(contains(mesh, point.x * side + glm::vec3(0, point.y, 0)));
+        }
+    }
+    // Halfway around a quarter: (4 r + 3 t) / 8 in x and in z; t = 0.56 r, but 0.18275 there on the knob.
+    CHECK(contains(mesh, {1.42f, 0.9f, -1.42f}));
+    CHECK(contains(mesh, {0.23103125f, 2.98125f, -0.23103125f}));
+    const glm::vec2 outlines[] = {{-2.625f, 2.19375f},      {-2.4125f, 1.996875f}, {-2.73125f, 1.1578125f},
+                                  {-2.5375f, 1.35f},        {2.6875f, 1.44375f},   {2.3875f, 1.8f},
+                                  {3.428125f, 2.47734375f}, {2.825f, 2.45625f}};
+    for (const glm::vec2& point : outlines)
+    { // handle, outside and inside, twice; spout, below and above, twice
+        CHECK(contains(mesh, {point.x, point.y, 0.0f}));
+    }
+    // The sides of handle and spout: three quarters of the half width.
+    for (const float side : {-1.0f, 1.0f}) {
+        CHECK(contains(mesh, {-2.51875f, 2.0953125f, 0.225f * side}));
+        CHECK(contains(mesh, {2.5375f, 1.621875f, 0.34125f * side}));
+        CHECK(contains(mesh, {3.1265625f, 2.466796875f, 0.15f * side}));
+    }
 }
 
 // Largest angle, as 1 − cosine, between a triangle's own normal and the analytic ones at its corners.
@@ -165,6 +187,7 @@ int main()
         testClosed(n);
     }
     testPlace();
+    testMiddles();
     testNormals();
     testReflector();
 }
