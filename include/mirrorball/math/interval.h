@@ -86,8 +86,10 @@ struct Interval
         return rounded(ends.first, ends.second);
     }
 
-    // An endpoint 0 stands for the number 0, also beside an unbounded one: 0 * infinity is 0 here.
+    // Of endpoints. 0 times an unbounded end is 0, because 0 stands for a number; an unbounded end divided by
+    // one is 0 too, because the ends that it is paired with besides give the rest.
     static double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
+    static double quotient(double x, double y) { return std::isinf(y) ? 0 : x / y; }
 
     friend Interval operator-(const Interval& a) { return {-a.upper, -a.lower}; }
     friend Interval operator+(const Interval& a, const Interval& b)
@@ -106,8 +108,8 @@ struct Interval
         constexpr double infinity = std::numeric_limits<double>::infinity();
         if (b.contains(0))
             return {-infinity, infinity};
-        return rounded(
-            std::minmax({a.lower / b.lower, a.lower / b.upper, a.upper / b.lower, a.upper / b.upper}));
+        return rounded(std::minmax({quotient(a.lower, b.lower), quotient(a.lower, b.upper),
+                                    quotient(a.upper, b.lower), quotient(a.upper, b.upper)}));
     }
 
     friend Verdict operator<(const Interval& a, const Interval& b)
