@@ -13,7 +13,9 @@ using mirrorball::ErrorKind;
 
 std::vector<std::pair<std::string, mirrorball::CaptureMethod>> captureMethods()
 {
-    return {{"perVertex", mirrorball::CaptureMethod::perVertex}};
+    return {{"automatic", mirrorball::CaptureMethod::automatic},
+            {"exact", mirrorball::CaptureMethod::exact},
+            {"perVertex", mirrorball::CaptureMethod::perVertex}};
 }
 
 void addCaptureOptions(CLI::App& app, CaptureOptions& options)

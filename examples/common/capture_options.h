@@ -25,7 +25,7 @@ struct CaptureOptions
     std::optional<glm::dvec3> light; // before offset; the scene's own where it is not given
     mirrorball::MapKind map = mirrorball::MapKind::tennisBall;
     int size = 256;
-    mirrorball::CaptureMethod method = mirrorball::CaptureMethod::perVertex;
+    mirrorball::CaptureMethod method = mirrorball::CaptureMethod::automatic;
     double far = 10000.0; // radial, from the probe
     int frames = 1;
     bool reference = false;

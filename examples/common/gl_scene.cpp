@@ -49,6 +49,16 @@ mirrorball::Sphere boundsOf(const std::vector<Vertex>& vertices)
     return bounds;
 }
 
+float longestEdgeOf(const Mesh& mesh)
+{
+    float longest = 0.0f;
+    for (const auto& triangle : mesh.triangles)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            longest = std::max(longest, glm::distance(mesh.positions[triangle[corner]],
+                                                      mesh.positions[triangle[(corner + 1) % 3]]));
+    return longest;
+}
+
 unsigned int compile(GLenum stage, const std::string& source)
 {
     const GLuint shader = glCreateShader(stage);
@@ -129,6 +139,7 @@ GlScene::GlMesh GlScene::upload(const Mesh& mesh, const glm::dvec3& worldOffset)
                            mesh.textureCoordinates[index]};
     GlMesh result;
     result.bounds = boundsOf(vertices);
+    result.longestEdge = longestEdgeOf(mesh);
     result.triangleCount = mesh.triangles.size();
     result.material = mesh.material;
     result.vertexArray = mirrorball::gl::VertexArray::create();
@@ -163,7 +174,11 @@ std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureP
 {
     std::vector<mirrorball::CaptureMesh> result;
     for (std::size_t index = 0; index < meshes_.size(); ++index)
-        result.push_back({&program, index, meshes_[index].bounds, meshes_[index].triangleCount, false});
+        result.push_back({.program = &program,
+                          .id = index,
+                          .bounds = meshes_[index].bounds,
+                          .longestEdge = meshes_[index].longestEdge,
+                          .triangles = meshes_[index].triangleCount});
     return result;
 }
 

@@ -58,6 +58,7 @@ private:
         std::size_t triangleCount, firstTriangle;
         int material;
         mirrorball::Sphere bounds;
+        float longestEdge;
     };
 
     static GlMesh upload(const Mesh& mesh, const glm::dvec3& worldOffset);

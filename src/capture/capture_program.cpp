@@ -2,6 +2,7 @@
 
 #include "capture/views.h"
 #include "capture_shaders.h"
+#include "gl/context.h"
 #include "gl/program.h"
 
 #include <mirrorball/error.h>
@@ -10,6 +11,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace mirrorball {
 
@@ -37,6 +39,88 @@ std::string define(const std::string& name, bool value)
     return define(name, std::string(value ? "1" : "0"));
 }
 
+// Sag of an arc on the map over its chord, in texels: a constant times chord² (of unit directions). The
+// constants are the suprema over arcs with both ends within 60 degrees of the equator and chords up to 1/2
+// (for the sphere map within 120 degrees of its centre and up to 1/5), 0.183, 0.183, 0.0914 and 0.0813 in
+// units of n, rounded up by a tenth; tests/capture/sag_test.cpp holds them.
+std::string coverDefines(MapKind map)
+{
+    const bool longitudeIsV = map == MapKind::tennisBall || map == MapKind::tennisBallEven;
+    const std::string sag = longitudeIsV                      ? "(0.2 * mirrorballCapture_size.x)"
+                            : map == MapKind::equirectangular ? "(0.1 * mirrorballCapture_size.y)"
+                                                              : "(0.09 * mirrorballCapture_size.x)";
+    return define("LONGITUDE", std::string(longitudeIsV ? "y" : "x")) +
+           define("LATITUDE", std::string(longitudeIsV ? "x" : "y")) +
+           define("PERIOD", std::string(longitudeIsV ? "(4.0 / 3.0)" : "1.0")) + define("SAG", sag);
+}
+
+std::string_view coverShader(MapKind map)
+{
+    switch (map) {
+    case MapKind::tennisBall:
+    case MapKind::tennisBallEven:
+    case MapKind::equirectangular:
+        return shaders::coverLatitude;
+    case MapKind::dualParaboloid:
+        return shaders::coverStereographic;
+    case MapKind::equiAngularCube:
+        return shaders::coverFace;
+    case MapKind::sphereMap:
+        return shaders::coverSphereMap;
+    case MapKind::cube:
+    case MapKind::octahedral:
+        break;
+    }
+    throw std::logic_error("piecewise linear maps are drawn by the ordinary rasteriser");
+}
+
+// What the geometry stage writes at most for one triangle.
+int verticesOf(const Variant& variant)
+{
+    const int polygon = variant.path == Path::exact ? 4 : 3;
+    return polygon * (variant.layers == LayerOrder::allAtOnce ? viewCount(variant.map) : 1);
+}
+
+int scalarsOf(const std::string& type)
+{
+    // A matCxR, a vecN or a scalar.
+    const std::size_t digit = type.find_first_of("234");
+    if (digit == std::string::npos)
+        return 1;
+    const int first = type[digit] - '0';
+    if (type.rfind("mat", 0) != 0)
+        return first;
+    return first * (type.size() > digit + 2 ? type[digit + 2] - '0' : first);
+}
+
+// Throws Error badShader when the exact path has no room for a varying of the host's, and names it. A
+// triangle hands the fragment stage its varyings at all three vertices (flat ones once), beside 15 scalars of
+// the library's own.
+void requireRoom(const CaptureProgram::Implementation& host, const Variant& variant)
+{
+    constexpr int own = 15 + 4; // edges, plane, numbers; gl_Position
+    const int limit = std::min({gl::integer(GL_MAX_GEOMETRY_OUTPUT_COMPONENTS),
+                                gl::integer(GL_MAX_FRAGMENT_INPUT_COMPONENTS),
+                                gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / verticesOf(variant)});
+    int used = own;
+    for (const Varying& varying : host.varyings) {
+        const std::string asked =
+            "varying '" + varying.type + " " + varying.name + "' of '" + host.desc.name + "'";
+        const bool known = varying.type == "float" || varying.type == "int" || varying.type == "uint" ||
+                           varying.type.find("vec") != std::string::npos || varying.type.rfind("mat", 0) == 0;
+        if (!known || !varying.arraySuffix.empty() || varying.type[0] == 'd')
+            throw Error(ErrorKind::badShader, asked,
+                        "exact capture carries scalars, vectors and matrices only",
+                        "split it up or capture with perVertex");
+        used += scalarsOf(varying.type) * (varying.interpolation == "flat" ? 1 : 3);
+        if (used > limit)
+            throw Error(ErrorKind::badShader, asked,
+                        "exact capture needs " + std::to_string(used) +
+                            " scalars a vertex up to it and the driver has " + std::to_string(limit),
+                        "hand over fewer varyings or capture with perVertex");
+    }
+}
+
 // What the shaders' #if lines ask.
 std::string defines(const Variant& variant, const std::string& position)
 {
@@ -44,14 +128,17 @@ std::string defines(const Variant& variant, const std::string& position)
     const bool textbook = variant.depthTerm == DepthTerm::textbook;
     const bool wraps = variant.map == MapKind::equirectangular || variant.map == MapKind::sphereMap;
     return define("VIEWS", std::to_string(viewCount(variant.map))) +
-           define("VERTICES", std::to_string(3 * viewCount(variant.map))) +
+           define("VERTICES", std::to_string(verticesOf(variant))) +
            define("LAYER(view)", std::string(variant.map == MapKind::octahedral ? "0" : "(view)")) +
            define("POSITION", position) + define("TENNIS_BALL", tennisBall) +
            define("DUAL_PARABOLOID", variant.map == MapKind::dualParaboloid) +
            define("EQUI_ANGULAR_CUBE", variant.map == MapKind::equiAngularCube) +
            define("TEXTBOOK_TENNIS_BALL", textbook && tennisBall) +
            define("TEXTBOOK_DUAL_PARABOLOID", textbook && variant.map == MapKind::dualParaboloid) +
-           define("CLIPS_RANGE", isPiecewiseLinear(variant.map)) + define("DROPS_SMEAR", wraps);
+           define("CLIPS_RANGE", variant.path == Path::linear) +
+           define("DROPS_SMEAR", variant.path == Path::textbook && wraps) +
+           define("PERSPECTIVE", variant.path == Path::mapped) +
+           define("ALL_AT_ONCE", variant.layers == LayerOrder::allAtOnce) + coverDefines(variant.map);
 }
 
 // The texts of one capture program, put together around the host's.
@@ -60,77 +147,154 @@ class Assembly
 public:
     Assembly(const CaptureProgram::Implementation& host, const Variant& variant)
         : host_(host), variant_(variant), defines_(defines(variant, host.desc.position)),
-          map_(mapGlsl(variant.map, GlslVersion::glsl330, prefix)),
-          project_(isPiecewiseLinear(variant.map) ? shaders::projectLinear : shaders::projectTextbook)
+          map_(mapGlsl(variant.map, GlslVersion::glsl330, prefix))
     {
     }
 
-    bool hasGeometryShader() const { return variant_.layers == LayerOrder::allAtOnce; }
+    bool isExact() const { return variant_.path == Path::exact; }
+    bool hasGeometryShader() const { return isExact() || variant_.layers == LayerOrder::allAtOnce; }
 
     std::string vertex() const
     {
+        const bool clips = host_.vertex.mentions("gl_ClipDistance");
+        const std::string ignored = prefix + "ignoredClipDistance";
         std::string text = host_.vertex.versionLine() +
-                           host_.vertex.body({{"main", prefix + "hostMain"},
-                                              {"gl_ClipDistance", prefix + "ignoredClipDistance"}}) +
+                           host_.vertex.body({{"main", prefix + "hostMain"}, {"gl_ClipDistance", ignored}},
+                                             {}, clips ? "float " + ignored + "[8];\n" : "") +
                            ours();
-        if (host_.vertex.mentions("gl_ClipDistance"))
-            text.insert(host_.vertex.versionLine().size(), "float " + prefix + "ignoredClipDistance[8];\n");
         if (hasGeometryShader())
             return text + std::string(shaders::vertexAll);
-        return text + map_ + project_ + std::string(shaders::vertexOne);
+        return text + map_ + project() + std::string(shaders::vertexOne);
     }
 
     std::string geometry() const
     {
-        std::string declarations, copies;
-        for (const Varying& varying : host_.varyings) {
-            const std::string qualifier = varying.interpolation.empty() ? "" : varying.interpolation + " ";
-            declarations +=
-                qualifier + "in " + varying.type + " " + varying.name + "[]" + varying.arraySuffix + ";\n";
-            declarations +=
-                qualifier + "out " + varying.type + " " + prefix + varying.name + varying.arraySuffix + ";\n";
-            copies += "    " + prefix + varying.name + " = " + varying.name + "[corner];\n";
-        }
-        std::string text(shaders::geometryAll);
-        replaceAll(text, "MIRRORBALL_VARYINGS",
-                   declarations + "void " + prefix + "copyVaryings(int corner)\n{\n" + copies + "}\n");
-        return host_.vertex.versionLine() + defines_ + map_ + project_ + text;
+        std::string text(isExact() ? shaders::geometryExact : shaders::geometryAll);
+        replaceAll(text, "MIRRORBALL_VARYINGS", isExact() ? exactVaryings() : copiedVaryings());
+        const std::string head = host_.vertex.versionLine() + defines_ + map_;
+        if (!isExact())
+            return head + project() + text;
+        // The covering polygons are functions; they come before main and after the declarations of layouts.
+        return head + std::string(shaders::coverCommon) + std::string(coverShader(variant_.map)) + text;
     }
 
     std::string fragment() const
     {
-        std::string text(shaders::fragmentInterpolated);
-        std::string reads, declarations;
+        const bool facing = isExact() && host_.fragment.mentions("gl_FrontFacing");
+        const bool primitive = isExact() && host_.fragment.mentions("gl_PrimitiveID");
+        std::vector<HostShader::Replacement> replacements = {{"main", prefix + "hostMain"}};
+        if (facing)
+            replacements.push_back({"gl_FrontFacing", prefix + "hostFrontFacing"});
+        if (primitive)
+            replacements.push_back({"gl_PrimitiveID", prefix + "hostPrimitiveID"});
+        const std::string prelude = (facing ? "bool " + prefix + "hostFrontFacing;\n" : "") +
+                                    (primitive ? "int " + prefix + "hostPrimitiveID;\n" : "");
         std::vector<std::string> globals;
         if (hasGeometryShader())
-            for (const Varying& varying : host_.varyings) {
-                const std::string qualifier =
-                    varying.interpolation.empty() ? "" : varying.interpolation + " ";
-                declarations += qualifier + "in " + varying.type + " " + prefix + varying.name +
-                                varying.arraySuffix + ";\n";
-                reads += varying.name + " = " + prefix + varying.name + ";\n    ";
+            for (const Varying& varying : host_.varyings)
                 globals.push_back(varying.name);
-            }
-        replaceAll(text, "MIRRORBALL_READ_VARYINGS", reads);
-        const bool needsMap = text.find("DROPS_SMEAR") != std::string::npos &&
-                              defines_.find("DROPS_SMEAR 1") != std::string::npos;
-        return host_.fragment.versionLine() + host_.fragment.body({{"main", prefix + "hostMain"}}, globals) +
-               ours() + (needsMap ? map_ + "uniform vec2 " + prefix + "size;\n" : "") + declarations + text;
+        std::string text(isExact() ? shaders::fragmentExact : shaders::fragmentInterpolated);
+        replaceAll(text, "MIRRORBALL_READ_VARYINGS", hasGeometryShader() ? readVaryings() : "");
+        const bool dropsSmear = defines_.find("DROPS_SMEAR 1") != std::string::npos;
+        return host_.fragment.versionLine() + host_.fragment.body(replacements, globals, prelude) + ours() +
+               define("READS_FRONT_FACING", facing) + define("READS_PRIMITIVE_ID", primitive) +
+               (isExact() || dropsSmear ? map_ : "") +
+               (dropsSmear ? "uniform vec2 " + prefix + "size;\n" : "") +
+               (hasGeometryShader() ? fragmentVaryings() : "") + text;
     }
 
 private:
     // What comes after the host's text counts its lines as those of source string 1.
     std::string ours() const { return "#line 1 1\n" + defines_; }
 
+    std::string project() const
+    {
+        return std::string(variant_.path == Path::linear ? shaders::projectLinear : shaders::projectMapped);
+    }
+
+    static std::string qualifier(const Varying& varying)
+    {
+        return varying.interpolation.empty() ? "" : varying.interpolation + " ";
+    }
+
+    static bool isFlat(const Varying& varying) { return varying.interpolation == "flat"; }
+
+    static std::string inputOf(const Varying& varying)
+    {
+        return qualifier(varying) + "in " + varying.type + " " + varying.name + "[]" + varying.arraySuffix +
+               ";\n";
+    }
+
+    // A varying as the geometry stage passes it on: under the library's name, from one vertex each time.
+    std::string copiedVaryings() const
+    {
+        std::string declarations, copies;
+        for (const Varying& varying : host_.varyings) {
+            declarations += inputOf(varying) + qualifier(varying) + "out " + varying.type + " " + prefix +
+                            varying.name + varying.arraySuffix + ";\n";
+            copies += "    " + prefix + varying.name + " = " + varying.name + "[corner];\n";
+        }
+        return declarations + "void " + prefix + "copyVaryings(int corner)\n{\n" + copies + "}\n";
+    }
+
+    // For exact capture: the values at all three vertices, flat; a flat varying has that of the last vertex
+    // only.
+    std::string exactVaryings() const
+    {
+        std::string declarations, copies;
+        for (const Varying& varying : host_.varyings) {
+            declarations += inputOf(varying);
+            for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner) {
+                const std::string name = prefix + varying.name + std::to_string(corner);
+                declarations += "flat out " + varying.type + " " + name + ";\n";
+                copies += "    " + name + " = " + varying.name + "[" + std::to_string(corner) + "];\n";
+            }
+        }
+        return declarations + "void " + prefix + "copyVaryings()\n{\n" + copies + "}\n";
+    }
+
+    std::string fragmentVaryings() const
+    {
+        std::string declarations;
+        for (const Varying& varying : host_.varyings) {
+            if (!isExact()) {
+                declarations += qualifier(varying) + "in " + varying.type + " " + prefix + varying.name +
+                                varying.arraySuffix + ";\n";
+                continue;
+            }
+            for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner)
+                declarations +=
+                    "flat in " + varying.type + " " + prefix + varying.name + std::to_string(corner) + ";\n";
+        }
+        return declarations;
+    }
+
+    std::string readVaryings() const
+    {
+        std::string reads;
+        for (const Varying& varying : host_.varyings) {
+            const std::string name = prefix + varying.name;
+            if (!isExact())
+                reads += varying.name + " = " + name + ";\n    ";
+            else if (isFlat(varying))
+                reads += varying.name + " = " + name + "2;\n    ";
+            else
+                reads += varying.name + " = weight.x * " + name + "0 + weight.y * " + name +
+                         "1 + weight.z * " + name + "2;\n    ";
+        }
+        return reads;
+    }
+
     const CaptureProgram::Implementation& host_;
     Variant variant_;
     std::string defines_;
     std::string map_;
-    std::string project_;
 };
 
 LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& variant)
 {
+    if (variant.path == Path::exact)
+        requireRoom(host, variant);
     const Assembly assembly(host, variant);
     std::vector<gl::ShaderSource> sources = {{GL_VERTEX_SHADER, assembly.vertex(), host.vertex.name()},
                                              {GL_FRAGMENT_SHADER, assembly.fragment(), host.fragment.name()}};
@@ -154,7 +318,10 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     result.size = location("size");
     result.clipFromDirection = location("clipFromDirection");
     result.inwardPlanes = location("inwardPlanes");
-    result.usesClipDistances = variant.map != MapKind::cube;
+    result.faces = location("faceFromDirection");
+    result.cullBackFaces = location("cullBackFaces");
+    result.writesDepth = variant.path == Path::exact;
+    result.usesClipDistances = !result.writesDepth && variant.map != MapKind::cube;
     return result;
 }
 

@@ -14,10 +14,18 @@
 
 namespace mirrorball::capture {
 
+// How a draw reaches the map. CaptureMethod says what the host asks for; this is what is done for one mesh.
+enum class Path {
+    linear,   // ordinary rasterisation, exact on cube and octahedral maps
+    textbook, // vertices mapped, w = 1
+    mapped,   // vertices mapped, w = distance, so that varyings interpolate in perspective
+    exact     // homogeneous rasterisation in direction space
+};
+
 struct Variant
 {
     MapKind map;
-    CaptureMethod method;
+    Path path;
     LayerOrder layers;
     DepthTerm depthTerm;
 
@@ -28,8 +36,9 @@ struct LinkedProgram
 {
     gl::Program program;
     // Uniform locations; -1 where a variant has none.
-    int probeFromWorld, view, depth, range, size, clipFromDirection, inwardPlanes;
+    int probeFromWorld, view, depth, range, size, clipFromDirection, inwardPlanes, faces, cullBackFaces;
     bool usesClipDistances;
+    bool writesDepth;
 };
 
 // A varying that the fragment shader reads.

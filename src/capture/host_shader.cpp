@@ -100,20 +100,23 @@ void HostShader::readVersion()
                     "use #version 330 core or later");
     versionLine_ = line.substr(0, line.find('\r')) + "\n";
     bodyBegin_ = std::min(end + 1, text_.size());
-    bodyLine_ = 1 + static_cast<int>(std::count(
-                        text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(bodyBegin_), '\n'));
 }
 
 void HostShader::readTokens()
 {
     std::size_t at = bodyBegin_;
+    preludeAt_ = bodyBegin_;
     bool lineStart = true;
     while (at < text_.size()) {
         const char c = text_[at];
         if (const std::size_t next = afterComment(text_, at); next > at) {
             at = next;
         } else if (c == '#' && lineStart) {
-            at = afterDirective(text_, at);
+            const std::size_t end = afterDirective(text_, at);
+            if (tokens_.empty() &&
+                std::string_view(text_).substr(at, end - at).find("extension") != std::string_view::npos)
+                preludeAt_ = std::min(end + 1, text_.size());
+            at = end;
         } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
             lineStart = lineStart || c == '\n';
             ++at;
@@ -212,40 +215,45 @@ void HostShader::readStatement(std::size_t firstToken, std::size_t lastToken)
     }
 }
 
-std::string HostShader::body(const std::vector<Replacement>& identifiers,
-                             const std::vector<std::string>& globals) const
+std::string HostShader::lineDirective(std::size_t at) const
 {
-    std::string result = "#line " + std::to_string(bodyLine_) + " 0\n";
+    const auto lines = std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    return "#line " + std::to_string(lines + 1) + " 0\n";
+}
+
+std::string HostShader::body(const std::vector<Replacement>& identifiers,
+                             const std::vector<std::string>& globals, const std::string& prelude) const
+{
     // Statements whose qualifiers go: several names may share one.
     std::vector<std::pair<std::size_t, std::size_t>> statements;
     for (const Declaration& declaration : declarations_)
         if (contains(globals, declaration.name))
             statements.emplace_back(declaration.begin, declaration.end);
-    const auto isDropped = [&](const Token& token) {
-        const auto within = [&](const auto& s) { return token.begin >= s.first && token.end <= s.second; };
-        const std::string_view word = text(token);
-        return std::any_of(statements.begin(), statements.end(), within) &&
-               (word == "in" || contains(interpolations, word) || contains(otherQualifiers, word));
+    const auto inStatement = [&](const Token& token) {
+        return std::any_of(statements.begin(), statements.end(),
+                           [&](const auto& s) { return token.begin >= s.first && token.end <= s.second; });
     };
-    std::size_t copied = bodyBegin_;
+    const auto isQualifier = [](std::string_view word) {
+        return word == "in" || contains(interpolations, word) || contains(otherQualifiers, word);
+    };
+    std::string result = lineDirective(bodyBegin_) + text_.substr(bodyBegin_, preludeAt_ - bodyBegin_);
+    if (!prelude.empty())
+        result += prelude + lineDirective(preludeAt_);
+    std::size_t copied = preludeAt_;
     for (std::size_t index = 0; index < tokens_.size(); ++index) {
         const Token& token = tokens_[index];
+        const std::string_view word = text(token);
         std::size_t end = token.end;
         std::string replacement;
         const auto found = std::find_if(identifiers.begin(), identifiers.end(),
-                                        [&](const Replacement& r) { return r.from == text(token); });
-        const bool inStatement = std::any_of(statements.begin(), statements.end(), [&](const auto& s) {
-            return token.begin >= s.first && token.end <= s.second;
-        });
-        if (inStatement && text(token) == "layout") {
+                                        [&](const Replacement& candidate) { return candidate.from == word; });
+        if (inStatement(token) && word == "layout") {
             while (text(tokens_[index]) != ")")
                 ++index;
             end = tokens_[index].end;
-        } else if (isDropped(token)) {
-            replacement.clear();
         } else if (token.isIdentifier && found != identifiers.end()) {
             replacement = found->to;
-        } else {
+        } else if (!inStatement(token) || !isQualifier(word)) {
             continue;
         }
         result.append(text_, copied, token.begin - copied);

@@ -40,11 +40,11 @@ public:
         std::string from, to;
     };
 
-    // The text after the #version line, headed by a #line so that messages keep the host's line numbers.
-    // Whole identifiers are replaced; the declarations of `globals` (names) lose their qualifiers and become
-    // plain global variables.
-    std::string body(const std::vector<Replacement>& identifiers,
-                     const std::vector<std::string>& globals = {}) const;
+    // The text after the #version line, headed by a #line so that messages keep the host's line numbers. Whole
+    // identifiers are replaced; the declarations of `globals` (names) lose their qualifiers and become plain
+    // global variables. `prelude` goes in before the first declaration, after all #extension lines.
+    std::string body(const std::vector<Replacement>& identifiers, const std::vector<std::string>& globals = {},
+                     const std::string& prelude = {}) const;
 
 private:
     struct Token
@@ -58,13 +58,14 @@ private:
     void readDeclarations();
     void readStatement(std::size_t firstToken, std::size_t lastToken);
     std::string_view text(const Token& token) const;
+    std::string lineDirective(std::size_t at) const; // names the host's line number at this offset
 
     std::string text_;
     std::string name_;
     int version_ = 0;
     std::string versionLine_;
     std::size_t bodyBegin_ = 0; // just after the #version line
-    int bodyLine_ = 1;          // the line number there
+    std::size_t preludeAt_ = 0; // just after the last #extension line
     std::vector<Token> tokens_; // of the body, preprocessor lines and comments left out
     std::vector<Declaration> declarations_;
 };

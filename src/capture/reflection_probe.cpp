@@ -1,6 +1,7 @@
 #include <mirrorball/capture/reflection_probe.h>
 
 #include "capture/capture_program.h"
+#include "capture/error_law.h"
 #include "capture/map_textures.h"
 #include "capture/views.h"
 #include "gl/context.h"
@@ -23,6 +24,7 @@ namespace {
 
 using capture::LinkedProgram;
 using capture::MapSize;
+using capture::Path;
 
 // The rotation and translation of a pose with uniform scale, and the scale.
 struct Pose
@@ -72,13 +74,13 @@ bool hasClipControl()
 // Depth is 1 at near and 0 at far, linear in 1 / w: floats are dense towards 0, so that the relative
 // precision is the same at every distance. Returns (a, b) of z = a * w + b in clip space, where w is the
 // radial distance (or the homogeneous coordinate of a linear view).
-glm::dvec2 reversedDepth(double near, double far)
+glm::dvec2 reversedDepth(double near, double far, bool zeroToOne)
 {
     const double inverseFar = 1.0 / far; // 0 for an infinite far
     const double b = 1.0 / (1.0 / near - inverseFar);
     const double a = -b * inverseFar;
     // Without clip control z runs from -1 to 1 in OpenGL's own way, and some of the precision is lost.
-    return hasClipControl() ? glm::dvec2(a, b) : glm::dvec2(2.0 * a - 1.0, 2.0 * b);
+    return zeroToOne ? glm::dvec2(a, b) : glm::dvec2(2.0 * a - 1.0, 2.0 * b);
 }
 
 } // namespace
@@ -103,6 +105,9 @@ struct ReflectionProbe::Implementation
     bool touches(int view, const Sphere& bounds) const;
     void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
+    std::vector<Path> paths() const; // all that a capture may take
+    Path pathOf(const CaptureMesh& mesh, int view) const;
+    const LinkedProgram& program(const CaptureMesh& mesh, Path path) const;
     void drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw);
     void setUniforms(const LinkedProgram& linked, int view) const;
     void publish();
@@ -115,11 +120,14 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
     checkRange();
     gl::requireContext();
     capture::requireMapSize(desc.map, desc.n);
+    if (!(desc.epsilon > 0.0f))
+        throw Error(ErrorKind::badArgument, "a probe's epsilon", "it is " + std::to_string(desc.epsilon),
+                    "give a number of texels above 0");
     const bool textbookMap = desc.map == MapKind::tennisBall || desc.map == MapKind::dualParaboloid;
-    if (desc.depthTerm == DepthTerm::textbook && !textbookMap)
+    if (desc.depthTerm == DepthTerm::textbook && !(textbookMap && desc.method == CaptureMethod::perVertex))
         throw Error(ErrorKind::badArgument, "textbook depth terms",
-                    "there are none for the " + std::string(mapInfo(desc.map).name) + " map",
-                    "use tennis-ball or dual-paraboloid");
+                    "there are none for this method on the " + std::string(mapInfo(desc.map).name) + " map",
+                    "use perVertex on tennis-ball or dual-paraboloid");
     size = capture::mapSize(desc.map, desc.n);
 
     const gl::StateGuard guard(0, 1);
@@ -184,9 +192,12 @@ void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, i
 
     const capture::LinearRange reach = capture::isPiecewiseLinear(desc.map) ? capture::linearRange(desc.map)
                                                                             : capture::LinearRange{1.0, 1.0};
+    const bool zeroToOne = linked.writesDepth || hasClipControl();
     const glm::dvec2 depthTerms = reversedDepth(static_cast<double>(near) * reach.smallest,
-                                                static_cast<double>(desc.far) * reach.largest);
+                                                static_cast<double>(desc.far) * reach.largest, zeroToOne);
     glUniform2f(linked.depth, static_cast<float>(depthTerms.x), static_cast<float>(depthTerms.y));
+    if (linked.faces >= 0)
+        glUniformMatrix3fv(linked.faces, 6, GL_FALSE, glm::value_ptr(capture::cubeFaces()[0]));
     if (!capture::isPiecewiseLinear(desc.map))
         return;
     const int views = capture::viewCount(desc.map);
@@ -200,23 +211,48 @@ void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, i
     glUniformMatrix3fv(linked.inwardPlanes, views, GL_FALSE, glm::value_ptr(inward[0]));
 }
 
+Path ReflectionProbe::Implementation::pathOf(const CaptureMesh& mesh, int view) const
+{
+    if (capture::isPiecewiseLinear(desc.map))
+        return Path::linear;
+    if (desc.method == CaptureMethod::perVertex)
+        return Path::textbook;
+    // A draw into all layers at once has no one view to judge by.
+    if (desc.method == CaptureMethod::exact || !mesh.bounds || view < 0)
+        return Path::exact;
+    const glm::dvec3 centre(probeFromWorld() * glm::dvec4(glm::dvec3(mesh.bounds->centre), 1.0));
+    const capture::MeshBounds seen{centre, static_cast<double>(mesh.bounds->radius),
+                                   static_cast<double>(mesh.longestEdge)};
+    return capture::mappingSuffices(desc.map, view, seen, desc.n, static_cast<double>(desc.epsilon))
+               ? Path::mapped
+               : Path::exact;
+}
+
+const LinkedProgram& ReflectionProbe::Implementation::program(const CaptureMesh& mesh, Path path) const
+{
+    return mesh.program->implementation().program({desc.map, path, desc.layers, desc.depthTerm});
+}
+
 void ReflectionProbe::Implementation::drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw)
 {
-    const capture::Variant variant{desc.map, desc.method, desc.layers, desc.depthTerm};
-    const LinkedProgram& linked = mesh.program->implementation().program(variant);
+    const Path path = pathOf(mesh, view);
+    const LinkedProgram& linked = program(mesh, path);
     // Set again for every draw: the callback may have changed any of it.
-    const capture::MapTextures& target = back;
     const auto layer = static_cast<std::size_t>(view < 0 ? 0 : capture::layerOfView(desc.map, view));
-    glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? target.allLayers.name() : target.layers[layer].name());
+    glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? back.allLayers.name() : back.layers[layer].name());
     glViewport(0, 0, size.width, size.height);
     glUseProgram(linked.program.name());
     setUniforms(linked, view);
     for (GLenum plane = 0; plane < 3; ++plane)
         (linked.usesClipDistances ? glEnable : glDisable)(GL_CLIP_DISTANCE0 + plane);
-    (mesh.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
+    // Covering polygons have no winding of their own: the geometry shader culls.
+    (mesh.cullBackFaces && path != Path::exact ? glEnable : glDisable)(GL_CULL_FACE);
+    glUniform1i(linked.cullBackFaces, mesh.cullBackFaces ? 1 : 0);
     glFrontFace(capture::orientation(desc.map, std::max(view, 0)) > 0 ? GL_CCW : GL_CW);
     draw(mesh, {linked.program.name(), view});
     ++report.draws;
+    report.drawsExact += path == Path::exact ? 1 : 0;
+    report.drawsMapped += path == Path::mapped ? 1 : 0;
     report.triangles += mesh.triangles;
 }
 
@@ -243,6 +279,17 @@ void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh>
         else
             ++report.drawsCulled;
     }
+}
+
+std::vector<Path> ReflectionProbe::Implementation::paths() const
+{
+    if (capture::isPiecewiseLinear(desc.map))
+        return {Path::linear};
+    if (desc.method == CaptureMethod::perVertex)
+        return {Path::textbook};
+    if (desc.method == CaptureMethod::exact || desc.layers == LayerOrder::allAtOnce)
+        return {Path::exact};
+    return {Path::mapped, Path::exact};
 }
 
 void ReflectionProbe::Implementation::place()
@@ -311,8 +358,8 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
         if (mesh.program == nullptr)
             throw Error(ErrorKind::badArgument, "a capture of probe '" + self.desc.name + "'",
                         "a mesh has no program", "set CaptureMesh::program");
-        mesh.program->implementation().program(
-            {self.desc.map, self.desc.method, self.desc.layers, self.desc.depthTerm});
+        for (const Path path : self.paths())
+            self.program(mesh, path);
     }
     self.place();
 

@@ -88,6 +88,14 @@ LinearView linearView(MapKind map, int view)
     return result;
 }
 
+std::array<glm::mat3, 6> cubeFaces()
+{
+    std::array<glm::mat3, 6> faces;
+    for (int face = 0; face < 6; ++face)
+        faces[static_cast<std::size_t>(face)] = glm::mat3(faceRows(face));
+    return faces;
+}
+
 LinearRange linearRange(MapKind map)
 {
     return map == MapKind::cube ? LinearRange{1.0 / std::sqrt(3.0), 1.0} : LinearRange{1.0, std::sqrt(3.0)};

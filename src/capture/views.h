@@ -29,6 +29,9 @@ struct LinearView
 
 LinearView linearView(MapKind map, int view);
 
+// Rows s, t and major axis of each cube face, from OpenGL's cube-map table.
+std::array<glm::mat3, 6> cubeFaces();
+
 // How w of a linear view relates to the radial distance: smallest and largest w / |R| within the view.
 struct LinearRange
 {

@@ -80,8 +80,9 @@ SixWalls::SixWalls(const glm::vec3& centre, int cuts) : program_(makeProgram()),
 
 mirrorball::CaptureMesh SixWalls::mesh() const
 {
-    return {&program_, 0, mirrorball::Sphere{centre_, distance * 1.7320509f},
-            static_cast<std::size_t>(vertexCount_ / 3), false};
+    return {.program = &program_,
+            .bounds = mirrorball::Sphere{centre_, distance * 1.7320509f},
+            .triangles = static_cast<std::size_t>(vertexCount_ / 3)};
 }
 
 void SixWalls::draw() const

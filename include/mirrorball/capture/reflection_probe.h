@@ -32,8 +32,11 @@
 namespace mirrorball {
 
 enum class CaptureMethod {
+    automatic, // for each mesh and view, mapped vertices where that is proved good enough, else exact
+    exact, // every texel's direction is tested against the triangle's edges: right however large triangles
+           // are
     perVertex, // the textbook way: vertices are mapped and edges stay straight, so large triangles are wrong;
-               // cube and octahedral maps are piecewise linear and therefore exact
+               // cube and octahedral maps are piecewise linear and therefore exact with every method
 };
 
 enum class LayerOrder {
@@ -55,13 +58,16 @@ struct Sphere
     float radius = 0.0f;
 };
 
-// One draw of the host's. Without bounds it is drawn into every component.
+// One draw of the host's. Without bounds it is drawn into every component, and without bounds and the length
+// of its longest edge, exactly. A host that displaces vertices (skinning) gives bounds that hold for the
+// displaced ones.
 struct CaptureMesh
 {
     CaptureProgram* program = nullptr;
     std::uint64_t id = 0; // the host's own
     std::optional<Sphere> bounds;
-    std::size_t triangles = 0;  // for the report only
+    float longestEdge = std::numeric_limits<float>::infinity(); // in world space
+    std::size_t triangles = 0;                                  // for the report only
     bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
 };
 
@@ -78,6 +84,8 @@ struct CaptureReport
     int draws = 0;
     int drawsCulled = 0;       // mesh-and-view pairs that were not drawn because they do not touch
     std::size_t triangles = 0; // sent, counted once for each draw
+    int drawsExact = 0;        // of the draws: by exact capture …
+    int drawsMapped = 0;       // … and by mapped vertices, where automatic found that enough
     std::size_t texels = 0;    // of the map
 };
 
@@ -99,7 +107,9 @@ public:
         float far = 1000.0f;       // radial; may be infinite
         ColourFormat colour = ColourFormat::rgba16f;
         glm::vec4 background{0.0f, 0.0f, 0.0f, 1.0f};
-        CaptureMethod method = CaptureMethod::perVertex;
+        CaptureMethod method = CaptureMethod::automatic;
+        float epsilon =
+            1.0f / 16.0f; // texels that automatic may be off by, in direction and relative distance
         LayerOrder layers = LayerOrder::oneAtATime;
         DepthTerm depthTerm = DepthTerm::radial;
     };

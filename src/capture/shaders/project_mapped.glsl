@@ -1,5 +1,6 @@
-// Vertices mapped, edges straight on the map: w = 1, so that nothing is interpolated in perspective.
-uniform vec2 mirrorballCapture_depth; // z = depth.x + depth.y / distance
+// Vertices mapped, edges straight on the map. The textbook way has w = 1, so that nothing is interpolated in
+// perspective; with w = distance, varyings and the distance itself are.
+uniform vec2 mirrorballCapture_depth; // depth = x + y / distance
 
 vec4 mirrorballCapture_project(int view, vec3 position)
 {
@@ -12,7 +13,11 @@ vec4 mirrorballCapture_project(int view, vec3 position)
 #else
     float z = mirrorballCapture_depth.x + mirrorballCapture_depth.y / max(radius, 1e-30);
 #endif
+#if MIRRORBALL_PERSPECTIVE
+    return vec4(square * radius, mirrorballCapture_depth.x * radius + mirrorballCapture_depth.y, radius);
+#else
     return vec4(square, z, 1.0);
+#endif
 }
 
 // Cuts off what lies well outside a component, where the chart would smear it.

@@ -1,0 +1,35 @@
+// Exact capture, the fragment stage: the texel's own direction against the triangle's edges. All arithmetic of a texel
+// depends on nothing but the texel and the triangle, so neighbouring triangles neither crack nor overlap.
+uniform vec2 mirrorballCapture_range; // near, far
+uniform vec2 mirrorballCapture_size;
+uniform vec2 mirrorballCapture_depth; // depth = x + y / distance
+flat in vec3 mirrorballCapture_edge0;
+flat in vec3 mirrorballCapture_edge1;
+flat in vec3 mirrorballCapture_edge2;
+flat in vec4 mirrorballCapture_plane;
+flat in ivec2 mirrorballCapture_numbers; // of the primitive and the view
+out float mirrorballCapture_distance;
+
+void main()
+{
+    vec3 direction = mirrorballCapture_directionFromSquare(mirrorballCapture_numbers.y, gl_FragCoord.xy / mirrorballCapture_size);
+    vec3 inside = vec3(dot(direction, mirrorballCapture_edge0), dot(direction, mirrorballCapture_edge1),
+                       dot(direction, mirrorballCapture_edge2));
+    // Positions hit in proportion to these weights: perspective-correct without a projection.
+    vec3 weight = inside / (inside.x + inside.y + inside.z);
+    float radius = mirrorballCapture_plane.w / dot(mirrorballCapture_plane.xyz, direction);
+    MIRRORBALL_READ_VARYINGS
+#if MIRRORBALL_READS_FRONT_FACING
+    mirrorballCapture_hostFrontFacing = mirrorballCapture_plane.w < 0.0;
+#endif
+#if MIRRORBALL_READS_PRIMITIVE_ID
+    mirrorballCapture_hostPrimitiveID = mirrorballCapture_numbers.x;
+#endif
+    mirrorballCapture_hostMain();
+    bool hit = all(greaterThanEqual(inside, vec3(0.0))) || all(lessThanEqual(inside, vec3(0.0)));
+    // After the host's main, so that its texture look-ups have derivatives everywhere.
+    if (!hit || !(radius >= mirrorballCapture_range.x && radius <= mirrorballCapture_range.y))
+        discard;
+    gl_FragDepth = mirrorballCapture_depth.x + mirrorballCapture_depth.y / radius;
+    mirrorballCapture_distance = radius;
+}

@@ -1,0 +1,80 @@
+// Exact capture, the geometry stage: each triangle becomes a polygon that covers its curved outline on the map, with
+// what the fragment stage needs to test and interpolate in direction space (homogeneous rasterisation: Olano and Greer,
+// "Triangle scan conversion using 2D homogeneous coordinates", 1997; Gascuel et al., "Fast non-linear projections using
+// graphics hardware", 2008).
+layout(triangles) in;
+layout(triangle_strip, max_vertices = MIRRORBALL_VERTICES) out;
+in vec3 mirrorballCapture_vertex[];
+uniform int mirrorballCapture_view;
+uniform bool mirrorballCapture_cullBackFaces;
+// Normals of the planes through the probe's centre and an edge; edge k is opposite to vertex k.
+flat out vec3 mirrorballCapture_edge0;
+flat out vec3 mirrorballCapture_edge1;
+flat out vec3 mirrorballCapture_edge2;
+flat out vec4 mirrorballCapture_plane; // of the triangle: xyz . position = w
+flat out ivec2 mirrorballCapture_numbers; // of the primitive and the view
+// The host's varyings at the three vertices.
+MIRRORBALL_VARYINGS
+
+// Twice the cross product, in Embree's form: under exchange of the ends every product and difference negates exactly.
+// The ends are put in a canonical order first, so that even a compiler that contracts a * b + c into one rounding gives
+// the two triangles of an edge the same normal up to its sign.
+vec3 mirrorballCapture_edgeNormal(vec3 from, vec3 to)
+{
+    bool inOrder = from.x != to.x ? from.x < to.x : from.y != to.y ? from.y < to.y : from.z < to.z;
+    vec3 first = inOrder ? from : to;
+    vec3 second = inOrder ? to : from;
+    vec3 normal = cross(first - second, first + second);
+    return inOrder ? normal : -normal;
+}
+
+void mirrorballCapture_emit(int view, vec3 vertex[3], vec3 edge[3], vec4 plane)
+{
+    vec2 corner[4];
+    if (!mirrorballCapture_cover(view, vertex, edge, plane.w, corner))
+        return;
+    for (int index = 0; index < 4; ++index) {
+        mirrorballCapture_edge0 = edge[0];
+        mirrorballCapture_edge1 = edge[1];
+        mirrorballCapture_edge2 = edge[2];
+        mirrorballCapture_plane = plane;
+        mirrorballCapture_numbers = ivec2(gl_PrimitiveIDIn, view);
+        mirrorballCapture_copyVaryings();
+        gl_Position = vec4(2.0 * corner[index] / mirrorballCapture_size - 1.0, 0.0, 1.0);
+#if MIRRORBALL_ALL_AT_ONCE
+        gl_Layer = view;
+#endif
+        EmitVertex();
+    }
+    EndPrimitive();
+}
+
+void main()
+{
+    vec3 vertex[3];
+    vec3 edge[3];
+    for (int corner = 0; corner < 3; ++corner) {
+        vertex[corner] = mirrorballCapture_vertex[corner];
+        // NaN fails every comparison; beyond 1e12 the products of three coordinates would leave the range of floats.
+        if (!all(lessThan(abs(vertex[corner]), vec3(1e12))))
+            return;
+    }
+    vec3 normal = cross(vertex[1] - vertex[0], vertex[2] - vertex[0]);
+    // The nearest vertex loses least in the sum.
+    vec3 squared = vec3(dot(vertex[0], vertex[0]), dot(vertex[1], vertex[1]), dot(vertex[2], vertex[2]));
+    vec3 nearest = squared.x <= squared.y && squared.x <= squared.z ? vertex[0]
+                   : squared.y <= squared.z                         ? vertex[1]
+                                                                    : vertex[2];
+    float offset = dot(normal, nearest);
+    // Seen edge-on, or without area: it covers no direction.
+    if (offset == 0.0 || (mirrorballCapture_cullBackFaces && offset > 0.0))
+        return;
+    for (int corner = 0; corner < 3; ++corner)
+        edge[corner] = mirrorballCapture_edgeNormal(vertex[(corner + 1) % 3], vertex[(corner + 2) % 3]);
+#if MIRRORBALL_ALL_AT_ONCE
+    for (int view = 0; view < MIRRORBALL_VIEWS; ++view)
+        mirrorballCapture_emit(view, vertex, edge, vec4(normal, offset));
+#else
+    mirrorballCapture_emit(mirrorballCapture_view, vertex, edge, vec4(normal, offset));
+#endif
+}

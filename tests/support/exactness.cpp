@@ -1,0 +1,91 @@
+#include "support/exactness.h"
+
+#include "map_file.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <mutex>
+
+namespace tests {
+
+namespace {
+
+// Two surfaces count as one where their distances differ by no more than float accuracy promises.
+constexpr double sameDistance = 1e-4;
+// Nearer to an edge of the surface that it hits, a traced ray may itself be on the wrong side in float.
+constexpr double atEdge = 1e-5;
+
+void compare(Exactness& result, const examples::Sample& shown, const examples::Hit& hit)
+{
+    ++result.texels;
+    const bool nothing = std::isinf(shown.distance);
+    if (!hit.found && nothing)
+        return;
+    result.holes += hit.found && nothing ? 1 : 0;
+    const double relative = hit.found ? std::abs(static_cast<double>(shown.distance) / hit.distance - 1.0)
+                                      : std::numeric_limits<double>::infinity();
+    const bool sameTriangle =
+        hit.found && !nothing && static_cast<std::uint32_t>(shown.colour.x + 0.5) == hit.triangle;
+    if (sameTriangle || relative <= sameDistance) {
+        result.worstDistance = std::max(result.worstDistance, relative);
+        return;
+    }
+    ++result.wrong;
+    result.wrongFarOff += hit.found && hit.edgeAngle > atEdge ? 1 : 0;
+}
+
+void add(Exactness& total, const Exactness& part)
+{
+    total.texels += part.texels;
+    total.wrong += part.wrong;
+    total.wrongFarOff += part.wrongFarOff;
+    total.holes += part.holes;
+    total.worstDistance = std::max(total.worstDistance, part.worstDistance);
+}
+
+} // namespace
+
+Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
+                      mirrorball::ReflectionProbe::Desc desc)
+{
+    desc.worldFromProbe = glm::translate(glm::dmat4(1.0), at);
+    desc.captureOrigin = at;
+    desc.colour = mirrorball::ColourFormat::rgba32f;
+    mirrorball::ReflectionProbe probe(desc);
+    const examples::GlScene drawable(scene, at);
+    mirrorball::CaptureProgram program(
+        {.name = "phong",
+         .vertexSource = examples::phongVertexSource(),
+         .fragmentSource = examples::phongFragmentSource(examples::View::triangle)});
+    const auto meshes = drawable.captureMeshes(program);
+    probe.capture(meshes, [&](const mirrorball::CaptureMesh& mesh, const mirrorball::CaptureDraw& draw) {
+        drawable.drawMesh(mesh.id, draw.program, {});
+    });
+    const auto layers =
+        examples::readMap(probe.map(), examples::View::triangle, glm::dvec3(0.0), scene.background);
+
+    const examples::ReferenceTracer tracer(scene, at);
+    const mirrorball::MapInfo& info = mirrorball::mapInfo(desc.map);
+    const int width = info.widthInN * desc.n, height = info.heightInN * desc.n;
+    Exactness total;
+    std::mutex mutex;
+    for (int layer = 0; layer < info.components; ++layer)
+        examples::forEachRow(height, [&](int row) {
+            Exactness part;
+            for (int column = 0; column < width; ++column) {
+                const glm::dvec3 direction = examples::referenceDirection(
+                    info.name, layer, (column + 0.5) / width, (row + 0.5) / height);
+                const examples::Hit hit = tracer.trace(at, direction, static_cast<double>(probe.near()),
+                                                       static_cast<double>(desc.far));
+                const std::size_t texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                                          static_cast<std::size_t>(column);
+                compare(part, layers[static_cast<std::size_t>(layer)][texel], hit);
+            }
+            const std::lock_guard lock(mutex);
+            add(total, part);
+        });
+    return total;
+}
+
+} // namespace tests
