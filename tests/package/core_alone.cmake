@@ -1,5 +1,7 @@
 # cmake -D… -P core_alone.cmake: the core builds where GLM and libepoxy are and nothing else is, and needs nothing else
-# at run time. Variables as in package.cmake.
+# at run time. Variables: how.cmake.
+include(${CMAKE_CURRENT_LIST_DIR}/how.cmake)
+
 set(nothingElse -DMIRRORBALL_STB_INCLUDE_DIR=MIRRORBALL_STB_INCLUDE_DIR-NOTFOUND)
 foreach(package assimp CLI11 embree glfw3)
     list(APPEND nothingElse -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
@@ -10,8 +12,7 @@ file(WRITE ${WORK}/pkgconfig/epoxy.pc "Name: epoxy\nDescription: epoxy\nVersion:
 set(ENV{PKG_CONFIG_LIBDIR} ${WORK}/pkgconfig)
 
 execute_process(
-    COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
-            -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DBUILD_SHARED_LIBS=ON ${nothingElse}
+    COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build ${common} -DBUILD_SHARED_LIBS=ON ${nothingElse}
     OUTPUT_VARIABLE summary COMMAND_ERROR_IS_FATAL ANY)
 message("${summary}")
 foreach(line "headless, [^:]*: off, for want of EGL" "io, [^:]*: off, for want of OpenEXR" "programs: off, for want of"
@@ -20,7 +21,7 @@ foreach(line "headless, [^:]*: off, for want of EGL" "io, [^:]*: off, for want o
         message(FATAL_ERROR "the summary does not say \"${line}\"")
     endif()
 endforeach()
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
 
 execute_process(COMMAND readelf -d ${WORK}/build/src/libmirrorball.so OUTPUT_VARIABLE dynamic
                 COMMAND_ERROR_IS_FATAL ANY)

@@ -1,20 +1,16 @@
 # cmake -D… -P package.cmake: installs mirrorball as KIND (static or shared) into an empty prefix below WORK, and builds
-# and runs programs against it in every way that the README promises. The rest of the variables say how:
-# SOURCE BUILD (this build) BUILD_KIND (its kind) COMPILER FLAGS LAUNCHER BUILD_TYPE GENERATOR LIBDIR
-function(run)
-    string(JOIN " " line ${ARGN})
-    message("$ ${line}")
-    execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
-endfunction()
+# and runs programs against it by find_package and by pkg-config. BUILD is this build and BUILD_KIND its kind; how.cmake
+# has the other variables.
+include(${CMAKE_CURRENT_LIST_DIR}/how.cmake)
 
 set(prefix ${WORK}/prefix)
-set(common -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS}
-    -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE})
 set(shared OFF)
+set(eachHeader ON) # once is enough: the headers are the same
 if(KIND STREQUAL shared)
     set(shared ON)
+    set(eachHeader OFF)
 endif()
-file(REMOVE_RECURSE ${prefix} ${WORK}/use_installed ${WORK}/use_subdirectory)
+file(REMOVE_RECURSE ${prefix} ${WORK}/use_installed)
 
 # ---- Install ---------------------------------------------------------------------------------------
 if(NOT KIND STREQUAL BUILD_KIND)
@@ -26,7 +22,8 @@ endif()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 
 # ---- find_package ----------------------------------------------------------------------------------
-run(${CMAKE_COMMAND} -S ${SOURCE}/tests/use_installed -B ${WORK}/use_installed ${common} -DCMAKE_PREFIX_PATH=${prefix})
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/use_installed -B ${WORK}/use_installed ${common} -DCMAKE_PREFIX_PATH=${prefix}
+    -DEACH_HEADER=${eachHeader})
 run(${CMAKE_COMMAND} --build ${WORK}/use_installed)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/use_installed --output-on-failure)
 
@@ -62,9 +59,3 @@ if(shared)
         endif()
     endforeach()
 endif()
-
-# ---- add_subdirectory ------------------------------------------------------------------------------
-run(${CMAKE_COMMAND} -S ${SOURCE}/tests/use_subdirectory -B ${WORK}/use_subdirectory ${common}
-    -DBUILD_SHARED_LIBS=${shared} -DMIRRORBALL_SOURCE=${SOURCE})
-run(${CMAKE_COMMAND} --build ${WORK}/use_subdirectory)
-run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/use_subdirectory --output-on-failure)

@@ -1,10 +1,10 @@
-# The programs that need components; tests/use_subdirectory builds them too.
+# The programs that need components; tests/use_subdirectory builds them too. With EACH_HEADER, every public header also
+# proves that it is whole by itself and brings no OpenGL.
 set(here ${CMAKE_CURRENT_LIST_DIR})
 add_executable(components ${here}/components.cpp)
 target_link_libraries(components PRIVATE mirrorball::headless mirrorball::io)
 add_test(NAME components COMMAND components)
 
-# Every public header is whole by itself and brings no OpenGL.
 get_target_property(include mirrorball::mirrorball INTERFACE_INCLUDE_DIRECTORIES)
 string(REGEX REPLACE "\\$<BUILD_INTERFACE:([^>]*)>" "\\1" include "${include}")
 string(GENEX_STRIP "${include}" include)
@@ -26,8 +26,10 @@ foreach(header ${headers})
     list(APPEND sources ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
     string(APPEND all "#include <${header}>\n")
 endforeach()
-add_library(each_header OBJECT ${sources})
-target_link_libraries(each_header PRIVATE mirrorball::mirrorball)
+if(EACH_HEADER)
+    add_library(each_header OBJECT ${sources})
+    target_link_libraries(each_header PRIVATE mirrorball::mirrorball)
+endif()
 
 # Together, they live beside another OpenGL loader, whichever comes first.
 file(CONFIGURE OUTPUT all_headers.h CONTENT "${all}")
