@@ -11,7 +11,6 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace mirrorball {
 
@@ -64,14 +63,13 @@ std::string_view coverShader(MapKind map)
     case MapKind::dualParaboloid:
         return shaders::coverStereographic;
     case MapKind::equiAngularCube:
-        return shaders::coverFace;
-    case MapKind::sphereMap:
-        return shaders::coverSphereMap;
     case MapKind::cube:
     case MapKind::octahedral:
+        return shaders::coverLinear;
+    case MapKind::sphereMap:
         break;
     }
-    throw std::logic_error("piecewise linear maps are drawn by the ordinary rasteriser");
+    return shaders::coverSphereMap;
 }
 
 // What the geometry stage writes at most for one triangle.
@@ -133,6 +131,7 @@ std::string defines(const Variant& variant, const std::string& position)
            define("POSITION", position) + define("TENNIS_BALL", tennisBall) +
            define("DUAL_PARABOLOID", variant.map == MapKind::dualParaboloid) +
            define("EQUI_ANGULAR_CUBE", variant.map == MapKind::equiAngularCube) +
+           define("OCTAHEDRAL", variant.map == MapKind::octahedral) +
            define("TEXTBOOK_TENNIS_BALL", textbook && tennisBall) +
            define("TEXTBOOK_DUAL_PARABOLOID", textbook && variant.map == MapKind::dualParaboloid) +
            define("CLIPS_RANGE", variant.path == Path::linear) +
@@ -318,7 +317,7 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     result.size = location("size");
     result.clipFromDirection = location("clipFromDirection");
     result.inwardPlanes = location("inwardPlanes");
-    result.faces = location("faceFromDirection");
+    result.lineFromDirection = location("lineFromDirection");
     result.cullBackFaces = location("cullBackFaces");
     result.writesDepth = variant.path == Path::exact;
     result.usesClipDistances = !result.writesDepth && variant.map != MapKind::cube;

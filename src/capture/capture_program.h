@@ -16,7 +16,8 @@ namespace mirrorball::capture {
 
 // How a draw reaches the map. CaptureMethod says what the host asks for; this is what is done for one mesh.
 enum class Path {
-    linear,   // ordinary rasterisation, exact on cube and octahedral maps
+    linear,   // ordinary rasterisation, on cube and octahedral maps as exact as the rasteriser's snapping
+              // (1/256 texel)
     textbook, // vertices mapped, w = 1
     mapped,   // vertices mapped, w = distance, so that varyings interpolate in perspective
     exact     // homogeneous rasterisation in direction space
@@ -36,7 +37,8 @@ struct LinkedProgram
 {
     gl::Program program;
     // Uniform locations; -1 where a variant has none.
-    int probeFromWorld, view, depth, range, size, clipFromDirection, inwardPlanes, faces, cullBackFaces;
+    int probeFromWorld, view, depth, range, size, clipFromDirection, inwardPlanes, lineFromDirection,
+        cullBackFaces;
     bool usesClipDistances;
     bool writesDepth;
 };

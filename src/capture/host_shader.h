@@ -40,11 +40,11 @@ public:
         std::string from, to;
     };
 
-    // The text after the #version line, headed by a #line so that messages keep the host's line numbers. Whole
-    // identifiers are replaced; the declarations of `globals` (names) lose their qualifiers and become plain
-    // global variables. `prelude` goes in before the first declaration, after all #extension lines.
-    std::string body(const std::vector<Replacement>& identifiers, const std::vector<std::string>& globals = {},
-                     const std::string& prelude = {}) const;
+    // The text after the #version line, headed by a #line so that messages keep the host's line numbers.
+    // Whole identifiers are replaced; the declarations of `globals` (names) lose their qualifiers and become
+    // plain global variables. `prelude` goes in before the first declaration, after all #extension lines.
+    std::string body(const std::vector<Replacement>& identifiers,
+                     const std::vector<std::string>& globals = {}, const std::string& prelude = {}) const;
 
 private:
     struct Token

@@ -196,36 +196,37 @@ void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, i
     const glm::dvec2 depthTerms = reversedDepth(static_cast<double>(near) * reach.smallest,
                                                 static_cast<double>(desc.far) * reach.largest, zeroToOne);
     glUniform2f(linked.depth, static_cast<float>(depthTerms.x), static_cast<float>(depthTerms.y));
-    if (linked.faces >= 0)
-        glUniformMatrix3fv(linked.faces, 6, GL_FALSE, glm::value_ptr(capture::cubeFaces()[0]));
-    if (!capture::isPiecewiseLinear(desc.map))
+    if (!capture::hasLinearViews(desc.map))
         return;
     const int views = capture::viewCount(desc.map);
-    std::vector<glm::mat3> clip, inward;
+    std::vector<glm::mat3> clip, line, inward;
     for (int index = 0; index < views; ++index) {
         const capture::LinearView linear = capture::linearView(desc.map, index);
         clip.push_back(linear.clipFromDirection);
+        line.push_back(linear.lineFromDirection);
         inward.push_back(linear.inwardPlanes);
     }
     glUniformMatrix3fv(linked.clipFromDirection, views, GL_FALSE, glm::value_ptr(clip[0]));
+    glUniformMatrix3fv(linked.lineFromDirection, views, GL_FALSE, glm::value_ptr(line[0]));
     glUniformMatrix3fv(linked.inwardPlanes, views, GL_FALSE, glm::value_ptr(inward[0]));
 }
 
 Path ReflectionProbe::Implementation::pathOf(const CaptureMesh& mesh, int view) const
 {
+    if (desc.method == CaptureMethod::exact)
+        return Path::exact;
     if (capture::isPiecewiseLinear(desc.map))
         return Path::linear;
     if (desc.method == CaptureMethod::perVertex)
         return Path::textbook;
     // A draw into all layers at once has no one view to judge by.
-    if (desc.method == CaptureMethod::exact || !mesh.bounds || view < 0)
+    if (!mesh.bounds || view < 0)
         return Path::exact;
     const glm::dvec3 centre(probeFromWorld() * glm::dvec4(glm::dvec3(mesh.bounds->centre), 1.0));
     const capture::MeshBounds seen{centre, static_cast<double>(mesh.bounds->radius),
                                    static_cast<double>(mesh.longestEdge)};
-    return capture::mappingSuffices(desc.map, view, seen, desc.n, static_cast<double>(desc.epsilon))
-               ? Path::mapped
-               : Path::exact;
+    const auto epsilon = static_cast<double>(desc.epsilon);
+    return capture::mappingSuffices(desc.map, view, seen, desc.n, epsilon) ? Path::mapped : Path::exact;
 }
 
 const LinkedProgram& ReflectionProbe::Implementation::program(const CaptureMesh& mesh, Path path) const
@@ -283,11 +284,13 @@ void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh>
 
 std::vector<Path> ReflectionProbe::Implementation::paths() const
 {
+    if (desc.method == CaptureMethod::exact)
+        return {Path::exact};
     if (capture::isPiecewiseLinear(desc.map))
         return {Path::linear};
     if (desc.method == CaptureMethod::perVertex)
         return {Path::textbook};
-    if (desc.method == CaptureMethod::exact || desc.layers == LayerOrder::allAtOnce)
+    if (desc.layers == LayerOrder::allAtOnce)
         return {Path::exact};
     return {Path::mapped, Path::exact};
 }

@@ -46,11 +46,24 @@ bool seamTouches(const glm::dvec3& local, double radius)
     return !beyondLatitude && !inWedge;
 }
 
+// A dual-paraboloid layer in its own frame: its corners reach 109.5 degrees from +z, where cos = -1/3. What
+// lies in the cone around -z, further than the radius from its surface, is out of sight.
+bool paraboloidTouches(const glm::dvec3& local, double radius)
+{
+    const double sine = std::sqrt(8.0) / 3.0, cosine = 1.0 / 3.0; // of the cone's half angle
+    return sine * -local.z - cosine * std::hypot(local.x, local.y) <= radius;
+}
+
 } // namespace
 
 bool isPiecewiseLinear(MapKind map)
 {
     return map == MapKind::cube || map == MapKind::octahedral;
+}
+
+bool hasLinearViews(MapKind map)
+{
+    return isPiecewiseLinear(map) || map == MapKind::equiAngularCube;
 }
 
 int viewCount(MapKind map)
@@ -65,9 +78,9 @@ int layerOfView(MapKind map, int view)
 
 LinearView linearView(MapKind map, int view)
 {
-    assert(isPiecewiseLinear(map));
-    if (map == MapKind::cube)
-        return {glm::mat3(faceRows(view)), glm::mat3(0.0f)};
+    assert(hasLinearViews(map));
+    if (map == MapKind::cube || map == MapKind::equiAngularCube)
+        return {glm::mat3(faceRows(view)), glm::mat3(faceRows(view)), glm::mat3(0.0f)};
     const glm::dvec3 s = octantSigns(view);
     // w = |x| + |y| + |z|. The upper half is (x, y) / w, the lower is folded over: ((w - |y|) sign x, (w -
     // |x|) sign y) / w.
@@ -82,18 +95,11 @@ LinearView linearView(MapKind map, int view)
     // Each octant reaches a hair over its border, so that no texel centre on the border falls between two
     // octants; 2^-20 of w is far below a texel and far above the rounding of the clipper.
     const double overlap = std::ldexp(1.0, -20);
+    result.lineFromDirection = glm::transpose(glm::inverse(result.clipFromDirection));
     result.inwardPlanes = glm::transpose(glm::mat3(glm::vec3(glm::dvec3(s.x, 0, 0) + overlap * w),
                                                    glm::vec3(glm::dvec3(0, s.y, 0) + overlap * w),
                                                    glm::vec3(glm::dvec3(0, 0, s.z) + overlap * w)));
     return result;
-}
-
-std::array<glm::mat3, 6> cubeFaces()
-{
-    std::array<glm::mat3, 6> faces;
-    for (int face = 0; face < 6; ++face)
-        faces[static_cast<std::size_t>(face)] = glm::mat3(faceRows(face));
-    return faces;
 }
 
 LinearRange linearRange(MapKind map)
@@ -108,7 +114,7 @@ bool viewTouches(MapKind map, int view, const glm::dvec3& centre, double radius)
     case MapKind::tennisBallEven:
         return seamTouches(view == 0 ? centre : glm::dvec3(centre.y, centre.x, -centre.z), radius);
     case MapKind::dualParaboloid:
-        return view == 0 ? centre.z <= radius : -centre.z <= radius;
+        return paraboloidTouches(view == 0 ? glm::dvec3(centre.x, centre.y, -centre.z) : centre, radius);
     case MapKind::cube:
     case MapKind::equiAngularCube:
         return pyramidTouches(faceRows(view) * centre, radius);

@@ -7,9 +7,6 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include <array>
-#include <span>
-
 namespace mirrorball::capture {
 
 int viewCount(MapKind map);
@@ -22,15 +19,16 @@ bool isPiecewiseLinear(MapKind map);
 struct LinearView
 {
     glm::mat3 clipFromDirection;
+    // The same for normals of planes through the centre: line . (x, y, w) = normal . direction.
+    glm::mat3 lineFromDirection;
     // The view is where these are all >= 0 (times direction); a cube face is cut by its own frustum and needs
     // none.
     glm::mat3 inwardPlanes;
 };
 
+// Also the equi-angular cube has such coordinates, before its axes are bent.
+bool hasLinearViews(MapKind map);
 LinearView linearView(MapKind map, int view);
-
-// Rows s, t and major axis of each cube face, from OpenGL's cube-map table.
-std::array<glm::mat3, 6> cubeFaces();
 
 // How w of a linear view relates to the radial distance: smallest and largest w / |R| within the view.
 struct LinearRange

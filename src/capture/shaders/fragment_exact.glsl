@@ -7,7 +7,7 @@ flat in vec3 mirrorballCapture_edge0;
 flat in vec3 mirrorballCapture_edge1;
 flat in vec3 mirrorballCapture_edge2;
 flat in vec4 mirrorballCapture_plane;
-flat in ivec2 mirrorballCapture_numbers; // of the primitive and the view
+flat in ivec2 mirrorballCapture_numbers; // of the primitive and the layer
 out float mirrorballCapture_distance;
 
 void main()

@@ -12,7 +12,7 @@ flat out vec3 mirrorballCapture_edge0;
 flat out vec3 mirrorballCapture_edge1;
 flat out vec3 mirrorballCapture_edge2;
 flat out vec4 mirrorballCapture_plane; // of the triangle: xyz . position = w
-flat out ivec2 mirrorballCapture_numbers; // of the primitive and the view
+flat out ivec2 mirrorballCapture_numbers; // of the primitive and the layer
 // The host's varyings at the three vertices.
 MIRRORBALL_VARYINGS
 
@@ -38,11 +38,11 @@ void mirrorballCapture_emit(int view, vec3 vertex[3], vec3 edge[3], vec4 plane)
         mirrorballCapture_edge1 = edge[1];
         mirrorballCapture_edge2 = edge[2];
         mirrorballCapture_plane = plane;
-        mirrorballCapture_numbers = ivec2(gl_PrimitiveIDIn, view);
+        mirrorballCapture_numbers = ivec2(gl_PrimitiveIDIn, MIRRORBALL_LAYER(view));
         mirrorballCapture_copyVaryings();
         gl_Position = vec4(2.0 * corner[index] / mirrorballCapture_size - 1.0, 0.0, 1.0);
 #if MIRRORBALL_ALL_AT_ONCE
-        gl_Layer = view;
+        gl_Layer = MIRRORBALL_LAYER(view);
 #endif
         EmitVertex();
     }
