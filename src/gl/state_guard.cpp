@@ -33,7 +33,12 @@ bool hasPipelines()
 
 bool hasIndexedBlend()
 {
-    return epoxy_gl_version() >= 40;
+    return hasVersionOr(40, "GL_ARB_draw_buffers_blend");
+}
+
+bool isCompatibility()
+{
+    return (integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0;
 }
 
 // Capabilities that our passes turn off (or leave alone when the context lacks them).
@@ -50,6 +55,10 @@ std::vector<GLenum> switchedOff()
         all.push_back(GL_PRIMITIVE_RESTART_FIXED_INDEX);
     if (epoxy_has_gl_extension("GL_EXT_depth_bounds_test"))
         all.push_back(GL_DEPTH_BOUNDS_TEST_EXT);
+    if (isCompatibility()) {
+        all.push_back(GL_ALPHA_TEST);
+        all.push_back(GL_POLYGON_STIPPLE);
+    }
     for (int plane = 0; plane < integer(GL_MAX_CLIP_DISTANCES); ++plane)
         all.push_back(GL_CLIP_DISTANCE0 + static_cast<GLenum>(plane));
     return all;
@@ -130,6 +139,9 @@ void StateGuard::readToggles()
 {
     for (const GLenum capability : switchedOff())
         toggles_.push_back({capability, glIsEnabled(capability) == GL_TRUE});
+    // Also those with an index are asked without: a threaded driver remembers the two kinds of calls apart.
+    for (const GLenum capability : {GLenum{GL_BLEND}, GLenum{GL_SCISSOR_TEST}})
+        toggles_.push_back({capability, glIsEnabled(capability) == GL_TRUE});
     toggles_.push_back({GL_DEPTH_TEST, glIsEnabled(GL_DEPTH_TEST) == GL_TRUE});
     const auto drawBuffers = static_cast<GLuint>(integer(GL_MAX_DRAW_BUFFERS));
     for (GLuint buffer = 0; buffer < drawBuffers; ++buffer)
@@ -183,34 +195,20 @@ void StateGuard::readRasterState()
                             read(GL_BLEND_DST_ALPHA)},
                            {read(GL_BLEND_EQUATION_RGB), read(GL_BLEND_EQUATION_ALPHA)}};
     }
-    stencils_[0] = {integer(GL_STENCIL_FUNC),
-                    integer(GL_STENCIL_REF),
-                    integer(GL_STENCIL_VALUE_MASK),
-                    integer(GL_STENCIL_FAIL),
-                    integer(GL_STENCIL_PASS_DEPTH_FAIL),
-                    integer(GL_STENCIL_PASS_DEPTH_PASS),
-                    integer(GL_STENCIL_WRITEMASK)};
-    stencils_[1] = {integer(GL_STENCIL_BACK_FUNC),
-                    integer(GL_STENCIL_BACK_REF),
-                    integer(GL_STENCIL_BACK_VALUE_MASK),
-                    integer(GL_STENCIL_BACK_FAIL),
-                    integer(GL_STENCIL_BACK_PASS_DEPTH_FAIL),
-                    integer(GL_STENCIL_BACK_PASS_DEPTH_PASS),
-                    integer(GL_STENCIL_BACK_WRITEMASK)};
     cullFace_ = integer(GL_CULL_FACE_MODE);
     frontFace_ = integer(GL_FRONT_FACE);
     provokingVertex_ = integer(GL_PROVOKING_VERTEX);
-    std::array<GLint, 2> polygonModes{}; // compatibility contexts answer two values
-    glGetIntegerv(GL_POLYGON_MODE, polygonModes.data());
-    polygonMode_ = polygonModes[0];
+    glGetIntegerv(GL_POLYGON_MODE, polygonModes_.data()); // core contexts answer one value, others two
+    if (isCompatibility())
+        clampFragmentColour_ = integer(GL_CLAMP_FRAGMENT_COLOR);
     if (hasClipControl()) {
         clipOrigin_ = integer(GL_CLIP_ORIGIN);
         clipDepth_ = integer(GL_CLIP_DEPTH_MODE);
     }
     sampleMasks_.resize(static_cast<std::size_t>(integer(GL_MAX_SAMPLE_MASK_WORDS)));
     for (GLuint word = 0; word < sampleMasks_.size(); ++word) {
-        GLint mask = 0;
-        glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, word, &mask);
+        GLint64 mask = 0; // a 32-bit query may clamp the highest bit away
+        glGetInteger64i_v(GL_SAMPLE_MASK_VALUE, word, &mask);
         sampleMasks_[word] = static_cast<unsigned int>(mask);
     }
 }
@@ -254,12 +252,12 @@ void StateGuard::neutralise() const
     glCullFace(GL_BACK);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+    if (isCompatibility())
+        glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
     if (hasClipControl())
         glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     for (GLuint word = 0; word < sampleMasks_.size(); ++word)
         glSampleMaski(word, ~0u);
-    if (hasPipelines())
-        glBindProgramPipeline(0);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     for (const auto names : {std::span<const GLenum>(transferParameterNames),
@@ -274,9 +272,8 @@ void StateGuard::restoreToggles() const
         setEnabled(toggle.capability, toggle.enabled);
     for (const IndexedToggle& toggle : indexedToggles_) {
         if (toggle.capability == GL_SCISSOR_TEST && !hasViewportArrays())
-            setEnabled(GL_SCISSOR_TEST, toggle.enabled);
-        else
-            setEnabled(toggle.capability, toggle.index, toggle.enabled);
+            continue;
+        setEnabled(toggle.capability, toggle.index, toggle.enabled);
     }
 }
 
@@ -313,19 +310,14 @@ void StateGuard::restoreRasterState() const
             glBlendEquationSeparate(value(equation[0]), value(equation[1]));
         }
     }
-    for (std::size_t side = 0; side < stencils_.size(); ++side) {
-        const GLenum face = side == 0 ? GL_FRONT : GL_BACK;
-        const Stencil& stencil = stencils_[side];
-        glStencilFuncSeparate(face, static_cast<GLenum>(stencil.function), stencil.reference,
-                              static_cast<GLuint>(stencil.readMask));
-        glStencilOpSeparate(face, static_cast<GLenum>(stencil.fail), static_cast<GLenum>(stencil.depthFail),
-                            static_cast<GLenum>(stencil.depthPass));
-        glStencilMaskSeparate(face, static_cast<GLuint>(stencil.writeMask));
-    }
     glCullFace(static_cast<GLenum>(cullFace_));
     glFrontFace(static_cast<GLenum>(frontFace_));
-    glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygonMode_));
+    glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygonModes_[0]));
+    if (polygonModes_[1] != 0 && polygonModes_[1] != polygonModes_[0])
+        glPolygonMode(GL_BACK, static_cast<GLenum>(polygonModes_[1]));
     glProvokingVertex(static_cast<GLenum>(provokingVertex_));
+    if (isCompatibility())
+        glClampColor(GL_CLAMP_FRAGMENT_COLOR, static_cast<GLenum>(clampFragmentColour_));
     if (hasClipControl())
         glClipControl(static_cast<GLenum>(clipOrigin_), static_cast<GLenum>(clipDepth_));
     for (GLuint word = 0; word < sampleMasks_.size(); ++word)
@@ -370,9 +362,11 @@ void StateGuard::restoreBindings() const
     GLint pendingDeletion = GL_FALSE;
     if (alive(program_, glIsProgram) != 0)
         glGetProgramiv(static_cast<GLuint>(program_), GL_DELETE_STATUS, &pendingDeletion);
-    glUseProgram(pendingDeletion == GL_TRUE ? 0u : alive(program_, glIsProgram));
-    if (hasPipelines())
+    if (hasPipelines()) {
+        glUseProgram(0); // while a program is in use, Mesa ignores a change of the pipeline
         glBindProgramPipeline(alive(pipeline_, glIsProgramPipeline));
+    }
+    glUseProgram(pendingDeletion == GL_TRUE ? 0u : alive(program_, glIsProgram));
 }
 
 } // namespace mirrorball::gl

@@ -1,6 +1,7 @@
 // Keeps the host's GL state across one call of ours: everything that the library changes is read on
 // construction, set to what drawing into our own framebuffers needs by neutralise(), and put back by the
-// destructor on every way out, exceptions included. docs/gl_state.md lists the items.
+// destructor on every way out, exceptions included. The stencil is only switched off: its reference value
+// cannot be read back whole from a framebuffer without a stencil. docs/gl_state.md lists the items.
 #pragma once
 
 #include <array>
@@ -38,10 +39,6 @@ private:
         std::array<int, 4> function; // source RGB, destination RGB, source alpha, destination alpha
         std::array<int, 2> equation; // RGB, alpha
     };
-    struct Stencil
-    {
-        int function, reference, readMask, fail, depthFail, depthPass, writeMask;
-    };
     struct Unit
     {
         std::vector<int> textures; // one a target, in the order of textureTargets()
@@ -69,9 +66,10 @@ private:
     std::vector<std::array<int, 4>> scissors_;
     std::vector<std::array<unsigned char, 4>> colourMasks_;
     std::vector<Blend> blends_;
-    std::array<Stencil, 2> stencils_{}; // front, back
     unsigned char depthMask_ = 1;
-    int depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, polygonMode_ = 0, provokingVertex_ = 0;
+    int depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, provokingVertex_ = 0;
+    std::array<int, 2> polygonModes_{}; // front, back
+    int clampFragmentColour_ = 0;       // compatibility contexts only
     int clipOrigin_ = 0, clipDepth_ = 0;
     std::vector<unsigned int> sampleMasks_;
     std::array<int, 2> transferBuffers_{}; // pack, unpack

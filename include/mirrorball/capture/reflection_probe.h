@@ -65,7 +65,7 @@ struct CaptureMesh
 {
     CaptureProgram* program = nullptr;
     std::uint64_t id = 0; // the host's own
-    std::optional<Sphere> bounds;
+    std::optional<Sphere> bounds = std::nullopt;
     float longestEdge = std::numeric_limits<float>::infinity(); // in world space
     std::size_t triangles = 0;                                  // for the report only
     bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
@@ -102,9 +102,9 @@ public:
         glm::dmat4 worldFromProbe{1.0};
         // World positions that the host's vertex shader hands over are relative to this point.
         glm::dvec3 captureOrigin{0.0};
-        double halfExtent = 0.5;   // half the side of the probe's cube, before scale
-        std::optional<float> near; // radial; halfExtent * scale unless given
-        float far = 1000.0f;       // radial; may be infinite
+        double halfExtent = 0.5;                  // half the side of the probe's cube, before scale
+        std::optional<float> near = std::nullopt; // radial; halfExtent * scale unless given
+        float far = 1000.0f;                      // radial; may be infinite
         ColourFormat colour = ColourFormat::rgba16f;
         glm::vec4 background{0.0f, 0.0f, 0.0f, 1.0f};
         CaptureMethod method = CaptureMethod::automatic;
