@@ -1,0 +1,60 @@
+// What is measured against what: groups of contenders whose frames are drawn in turn.
+#pragma once
+
+#include "contender.h"
+#include "rivals.h"
+
+#include <mirrorball/maps/maps.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tests::benchmark {
+
+// How a map's n follows from the cube's n of its group.
+enum class Sizing {
+    equalTexels, // as many texels in all as the cube map
+    equalAngle,  // no texel is wider (corner to corner) than the cube map's widest
+};
+std::string_view nameOf(Sizing sizing);
+
+struct Entry
+{
+    std::optional<Rival> rival; // or else one of the library's:
+    const LibraryMethod* method = nullptr;
+    mirrorball::MapKind map = mirrorball::MapKind::cube;
+    Sizing sizing = Sizing::equalTexels;
+    int n = 0;
+    RivalFormats formats = RivalFormats::asTheLibrary;
+
+    std::string methodName() const;
+};
+
+struct Group
+{
+    const SceneChoice* scene;
+    int cubeN; // of the rivals
+    bool cullBackFaces;
+    std::vector<Entry> entries; // "six passes, culled" is among them
+};
+
+struct Options
+{
+    bool quick = false;
+    int frames = 0; // 0: 30, or 8 where quick
+    std::vector<std::string> scenes, methods;
+    std::vector<mirrorball::MapKind> maps;
+    std::vector<int> sizes; // the cube's n
+    std::string folder;
+};
+
+// Empty lists mean all, or with quick a selection. Scenes whose file is not there are left out and named in
+// `missing`. Needs a context.
+std::vector<Group> makePlan(const Options& options, std::vector<std::string>& missing);
+
+// The smallest n of the map with which no texel is wider than the widest of a cube map of n = cubeN; empty
+// for the sphere map, whose rim is infinitely stretched.
+std::optional<int> equalAngleN(mirrorball::MapKind map, int cubeN);
+
+} // namespace tests::benchmark

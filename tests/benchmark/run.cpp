@@ -1,0 +1,139 @@
+#include "run.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <tuple>
+
+namespace tests::benchmark {
+
+namespace {
+
+using mirrorball::MapKind;
+
+constexpr int warmUpFrames = 4;
+// A contender's errors take about as long as so many of its frames.
+constexpr int errorFrames = 20;
+
+std::unique_ptr<Contender> make(const Entry& entry, const Stage& stage, bool cullBackFaces,
+                                examples::View view)
+{
+    if (entry.rival)
+        return makeRival(*entry.rival, stage, entry.n, cullBackFaces, view, entry.formats);
+    return makeLibraryContender(*entry.method, entry.map, entry.n, stage, cullBackFaces, view);
+}
+
+// A scene, loaded once for all of its groups, and what was traced in it.
+class LoadedScene
+{
+public:
+    LoadedScene(const SceneChoice& choice, CapturePrograms& programs)
+        : scene_(examples::loadScene(std::string(choice.source))), stage_(choice, scene_, programs),
+          tracer_(scene_, choice.at)
+    {
+    }
+
+    const Stage& stage() const { return stage_; }
+
+    Errors errors(const Entry& entry, bool cullBackFaces)
+    {
+        const auto [truth, isNew] = truths_.try_emplace({entry.map, entry.n});
+        if (isNew)
+            truth->second = traceMap(tracer_, stage_.choice(), entry.map, entry.n);
+        return errorsOf([&](examples::View view) { return make(entry, stage_, cullBackFaces, view); },
+                        truth->second, scene_, stage_.choice().at);
+    }
+
+private:
+    examples::Scene scene_;
+    Stage stage_;
+    examples::ReferenceTracer tracer_;
+    std::map<std::pair<MapKind, int>, std::vector<TrueTexel>> truths_;
+};
+
+// Ratios to the culled six passes, and to the best of the hand-written cubes.
+void setRatios(std::span<Row> rows)
+{
+    const auto isCube = [](const Row& row) {
+        return row.entry.rival && row.entry.formats == RivalFormats::asTheLibrary;
+    };
+    const auto culled = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+        return isCube(row) && *row.entry.rival == Rival::culled;
+    });
+    const Timing base = culled->timing;
+    double best = std::numeric_limits<double>::infinity();
+    for (const Row& row : rows)
+        if (isCube(row))
+            best = std::min(best, row.timing.cpu.median);
+    for (Row& row : rows) {
+        row.cpuRatio = row.timing.cpu.median / base.cpu.median;
+        row.wallRatio = row.timing.wall.median / base.wall.median;
+        row.cpuRatioToBest = row.timing.cpu.median / best;
+        if (row.timing.gpu && base.gpu)
+            row.gpuRatio = row.timing.gpu->median / base.gpu->median;
+    }
+}
+
+// Roughly what a frame costs next to others, so that the time left comes out right.
+double weightOf(const Group& group)
+{
+    return 1.0 + static_cast<double>(group.cubeN) * group.cubeN / (256.0 * 256.0);
+}
+
+void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& progress, std::vector<Row>& rows)
+{
+    const Stage& stage = loaded.stage();
+    std::vector<std::unique_ptr<Contender>> contenders;
+    for (const Entry& entry : group.entries)
+        contenders.push_back(make(entry, stage, group.cullBackFaces, examples::View::colour));
+    const std::vector<Timing> timings =
+        measure(contenders, warmUpFrames, frames, [&] { progress.advance(weightOf(group)); });
+
+    const std::size_t firstRow = rows.size();
+    for (std::size_t index = 0; index < group.entries.size(); ++index) {
+        Row row;
+        row.group = {group.scene, group.cubeN, group.cullBackFaces, {}};
+        row.entry = group.entries[index];
+        row.sceneTriangles = stage.triangleCount();
+        row.sceneVertices = stage.vertexCount();
+        row.measures = mirrorball::mapMeasures(row.entry.map, row.entry.n);
+        row.timing = timings[index];
+        row.work = countWork(*contenders[index]);
+        contenders[index].reset();
+        if (row.entry.formats == RivalFormats::asTheLibrary)
+            row.errors = loaded.errors(row.entry, group.cullBackFaces);
+        progress.advance(errorFrames * weightOf(group));
+        rows.push_back(std::move(row));
+    }
+    setRatios(std::span(rows).subspan(firstRow));
+}
+
+} // namespace
+
+double stepsOf(const std::vector<Group>& plan, int frames)
+{
+    double steps = 0.0;
+    for (const Group& group : plan)
+        steps += weightOf(group) * static_cast<double>(group.entries.size()) *
+                 (warmUpFrames + frames + errorFrames);
+    return steps;
+}
+
+std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progress)
+{
+    CapturePrograms programs;
+    std::unique_ptr<LoadedScene> loaded;
+    std::vector<Row> rows;
+    for (const Group& group : plan) {
+        progress.label(std::string(group.scene->name) + ", n = " + std::to_string(group.cubeN));
+        if (!loaded || &loaded->stage().choice() != group.scene) {
+            loaded.reset(); // before the next takes memory
+            loaded = std::make_unique<LoadedScene>(*group.scene, programs);
+        }
+        runGroup(group, frames, *loaded, progress, rows);
+    }
+    return rows;
+}
+
+} // namespace tests::benchmark

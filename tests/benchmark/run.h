@@ -1,0 +1,37 @@
+// Runs a plan: every number of the report comes from here.
+#pragma once
+
+#include "errors.h"
+#include "plan.h"
+#include "progress.h"
+#include "timing.h"
+
+#include <mirrorball/maps/measures.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tests::benchmark {
+
+struct Row
+{
+    Group group; // without its entries
+    Entry entry;
+    std::size_t sceneTriangles = 0, sceneVertices = 0;
+    mirrorball::MapMeasures measures; // of the map at the entry's n
+    Timing timing;
+    WorkCounts work;
+    std::optional<Errors> errors; // not of the 8-bit rivals
+    // Median process CPU time and wall time, over that of the culled six-pass cube in the same group; CPU
+    // time also over that of the fastest hand-written cube there.
+    double cpuRatio = 0, wallRatio = 0, cpuRatioToBest = 0;
+    std::optional<double> gpuRatio;
+};
+
+std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progress);
+
+// The steps that run() will report for a plan.
+double stepsOf(const std::vector<Group>& plan, int frames);
+
+} // namespace tests::benchmark

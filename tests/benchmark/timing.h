@@ -1,0 +1,41 @@
+// Measuring: frames of all contenders in turn, so that what else the machine does meets them alike.
+#pragma once
+
+#include "contender.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tests::benchmark {
+
+struct Quartiles
+{
+    double lower = 0, median = 0, upper = 0;
+};
+Quartiles quartilesOf(std::vector<double> values); // at least one
+
+struct Timing
+{
+    Quartiles wall, cpu;          // milliseconds a frame; CPU of all threads of the process
+    std::optional<Quartiles> gpu; // GL_TIME_ELAPSED; not on software rasterisers, where it is wrong
+};
+
+// Whether the current context draws on the CPU.
+bool isSoftwareRasteriser();
+
+// `warmUp` frames that are not measured, then `frames`; `afterEach` is called after every frame of one.
+std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contenders, int warmUp, int frames,
+                            const std::function<void()>& afterEach);
+
+// One frame's work as the driver counts it (pipeline statistics queries), apart from the timed frames.
+struct WorkCounts
+{
+    Work sent;
+    // Empty where the context has no such query.
+    std::optional<std::size_t> vertexShaderRuns, primitivesClipped, fragmentShaderRuns;
+};
+WorkCounts countWork(Contender& contender);
+
+} // namespace tests::benchmark
