@@ -115,6 +115,6 @@ void checkAll(int count)
 
 int main()
 {
-    checkAll<float>(30000);
-    checkAll<double>(30000);
+    checkAll<float>(20000);
+    checkAll<double>(20000);
 }

@@ -13,13 +13,14 @@ enum class GlslVersion { glsl330, glsl400, glsl450, es300 };
 // "#version 330 core" and so on, with precision statements for es300, ending in a newline.
 MIRRORBALL_EXPORT std::string glslVersionLine(GlslVersion version);
 
-// Functions of one map, without a #version line. Every name begins with `prefix`:
+// Functions of one map, without a #version line. Every name begins with `prefix`, so that two maps fit into
+// one shader; tests/golden/ has them all as printed.
 //     const int <prefix>components;
 //     int  <prefix>componentOf(vec3 direction)
 //     vec2 <prefix>squareFromDirection(int component, vec3 direction)      not clamped
 //     vec3 <prefix>directionFromSquare(int component, vec2 uv)             unit length
-//     vec3 <prefix>coordinateFromDirection(vec3 direction)                 (u, v, component), clamped; for
-//     sampler2DArray
+//     vec3 <prefix>coordinateFromDirection(vec3 direction)                 (u, v, component), clamped
+// Throws Error, badArgument, for a prefix that GLSL allows no name to begin with.
 MIRRORBALL_EXPORT std::string mapGlsl(MapKind map, GlslVersion version,
                                       const std::string& prefix = "mirrorball_");
 

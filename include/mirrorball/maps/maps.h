@@ -49,7 +49,8 @@ MIRRORBALL_EXPORT std::span<const MapInfo> maps();
 MIRRORBALL_EXPORT const MapInfo& mapInfo(MapKind map);
 MIRRORBALL_EXPORT std::optional<MapKind> mapFromName(std::string_view name);
 
-// The component that owns a direction. Total: see maps/direction.h for zero, infinite and NaN.
+// The component that owns a direction. Every direction has one, and a coordinate in it: maps/direction.h says
+// which for zero, infinite and NaN. `component` below must be one of the map's.
 MIRRORBALL_EXPORT int componentOf(MapKind map, const glm::vec3& direction);
 MIRRORBALL_EXPORT int componentOf(MapKind map, const glm::dvec3& direction);
 
@@ -57,7 +58,8 @@ MIRRORBALL_EXPORT int componentOf(MapKind map, const glm::dvec3& direction);
 MIRRORBALL_EXPORT glm::vec2 squareFromDirection(MapKind map, int component, const glm::vec3& direction);
 MIRRORBALL_EXPORT glm::dvec2 squareFromDirection(MapKind map, int component, const glm::dvec3& direction);
 
-// The unit direction at (u, v) of a component.
+// The unit direction at (u, v) of a component, continued by a quarter of the square beyond each side: a
+// coordinate further out is taken there, NaN in the middle.
 MIRRORBALL_EXPORT glm::vec3 directionFromSquare(MapKind map, int component, const glm::vec2& uv);
 MIRRORBALL_EXPORT glm::dvec3 directionFromSquare(MapKind map, int component, const glm::dvec2& uv);
 
