@@ -98,10 +98,21 @@ void refusesWithNothingChanged()
     CHECK(eglQueryAPI() == apiBefore);
 }
 
+// With an argument: only this, in an environment that makes it fail so (CMakeLists.txt beside this file).
+int fails(const std::string& kind)
+{
+    const ErrorKind expected = kind == "unsupported" ? ErrorKind::unsupported : ErrorKind::noContext;
+    CHECK_THROWS(Context(), expected);
+    CHECK(eglGetCurrentContext() == EGL_NO_CONTEXT);
+    return 0;
+}
+
 } // namespace
 
-int main()
+int main(int argumentCount, char** arguments)
 {
+    if (argumentCount == 2)
+        return fails(arguments[1]);
     releasesWhatItMade();
     makesAtLeastTheVersion();
     moves();
