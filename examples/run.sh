@@ -14,20 +14,18 @@ cmake --build --preset release --target render
 picture() {
     name=$1
     shift
-    build-release/examples/render/render "$@" -o "pictures/$name.png" --stats "pictures/$name.json"
+    build-release/examples/render/render "$@" -o "pictures/$name.png" --stats "pictures/$name.json" >/dev/null
     echo "$PWD/pictures/$name.png"
     sed -n 's/^ *"\([a-z0-9_]*_ms\|[a-z0-9_]*per_second\)": *\([0-9.e+-]*\),\{0,1\}$/    \1 \2/p' "pictures/$name.json"
 }
 
 mkdir -p pictures
 
-# (1) The teapot and a sphere as mirrors in the garden.
-picture garden_teapot builtin:garden --reflector teapot --scale 0.6 --at 0,0,0 \
-    --eye 2.5,1.5,5 --look 0,0,0 --fov 40 --pixels 1280x720
-picture garden_sphere builtin:garden --reflector sphere:1.5 --at 0,0,0 \
-    --eye 2.5,1.5,5 --look 0,0,0 --fov 40 --pixels 1280x720
+# (1) The teapot and a sphere as mirrors in the garden, each with a probe of its own.
+picture garden builtin:garden --reflector teapot --scale 0.45 --at=-0.7,-1.25,0 --reflector sphere:0.8 --at 1.5,-1.2,-0.6 \
+    --eye 1.2,0.6,5.2 --look 0.3,-1,0 --fov 35 --pixels 1280x720
 
 # (2) The bunny as a mirror in the living room of a house.
 picture house_bunny /usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc --reflector /usr/share/glmark2/models/bunny.obj \
-    --scale 0.7 --at 4.25,1.1,-2.4 --eye 1.9,1.6,-1.4 --look 4.25,1.1,-2.4 --fov 50 --pixels 1280x720 \
+    --scale 0.7 --at 4.25,0.7,-2.4 --eye 1.9,1.5,-1.4 --look 4.25,0.75,-2.4 --fov 45 --pixels 1280x720 \
     --light 3,2.2,-3.5
