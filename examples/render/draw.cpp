@@ -1,8 +1,8 @@
 #include "draw.h"
 
 #include "gl_reflector.h"
+#include "gl_target.h"
 
-#include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 #include <mirrorball/reflect/image_map.h>
 
@@ -12,7 +12,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace render {
 
@@ -21,8 +20,6 @@ namespace {
 using namespace examples;
 using mirrorball::CaptureDraw;
 using mirrorball::CaptureMesh;
-using mirrorball::Error;
-using mirrorball::ErrorKind;
 using mirrorball::ReflectionProbe;
 
 bool hasClipControl()
@@ -62,75 +59,6 @@ PictureView pictureView(const Setup& setup)
     view.phong = {glm::vec3(setup.light - setup.origin), glm::vec3(eye)};
     return view;
 }
-
-// Colour, distance from the eye and reflector, depth.
-class Target
-{
-public:
-    explicit Target(const glm::ivec2& size) : size_(size)
-    {
-        GLint limit = 0;
-        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-        if (std::max(size.x, size.y) > limit)
-            throw Error(ErrorKind::badArgument,
-                        "a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) + " samples",
-                        "the driver's limit is " + std::to_string(limit), "ask for a smaller one");
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-        attach(colour_, GL_COLOR_ATTACHMENT0, GL_RGBA32F, GL_RGBA);
-        attach(distanceAndReflector_, GL_COLOR_ATTACHMENT1, GL_RG32F, GL_RG);
-        attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
-        const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-        glDrawBuffers(2, buffers);
-        if (glGetError() == GL_OUT_OF_MEMORY ||
-            glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw Error(ErrorKind::unsupported, "a framebuffer of floats", "the driver cannot make it",
-                        "ask for a smaller picture");
-    }
-
-    void clear(const glm::vec3& background) const
-    {
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-        glViewport(0, 0, size_.x, size_.y);
-        const glm::vec4 colour(background, 1.0f);
-        const float nothing[4] = {std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
-        const float farthest = 0.0f;
-        glClearBufferfv(GL_COLOR, 0, glm::value_ptr(colour));
-        glClearBufferfv(GL_COLOR, 1, nothing);
-        glClearBufferfv(GL_DEPTH, 0, &farthest);
-    }
-
-    std::vector<glm::vec4> colour() const { return read<glm::vec4>(colour_, GL_RGBA); }
-    std::vector<glm::vec2> distanceAndReflector() const
-    {
-        return read<glm::vec2>(distanceAndReflector_, GL_RG);
-    }
-
-private:
-    void attach(const mirrorball::gl::Texture& texture, GLenum attachment, GLenum format, GLenum channels)
-    {
-        glBindTexture(GL_TEXTURE_2D, texture.name());
-        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), size_.x, size_.y, 0, channels, GL_FLOAT,
-                     nullptr);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.name(), 0);
-    }
-
-    template <class Vector>
-    std::vector<Vector> read(const mirrorball::gl::Texture& texture, GLenum channels) const
-    {
-        std::vector<Vector> values(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y));
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glBindTexture(GL_TEXTURE_2D, texture.name());
-        glGetTexImage(GL_TEXTURE_2D, 0, channels, GL_FLOAT, values.data());
-        return values;
-    }
-
-    glm::ivec2 size_;
-    mirrorball::gl::Framebuffer framebuffer_ = mirrorball::gl::Framebuffer::create();
-    mirrorball::gl::Texture colour_ = mirrorball::gl::Texture::create();
-    mirrorball::gl::Texture distanceAndReflector_ = mirrorball::gl::Texture::create();
-    mirrorball::gl::Texture depth_ = mirrorball::gl::Texture::create();
-};
 
 // One reflector and where its map comes from.
 struct DrawnMirror
@@ -202,7 +130,7 @@ private:
     const Setup& setup_;
     const Options& options_;
     PictureView view_;
-    Target target_;
+    GlTarget target_;
     GlScene scene_;
     mirrorball::gl::Program sceneProgram_;
     mirrorball::CaptureProgram captureProgram_;
