@@ -11,8 +11,9 @@
 #include <mirrorball/reflect/probe_binding.h>
 #include <mirrorball/reflect/reflection_material.h>
 
-#include <GLFW/glfw3.h>
 #include <epoxy/gl.h>
+
+#include <GLFW/glfw3.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 using namespace mirrorball;
