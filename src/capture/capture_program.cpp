@@ -44,13 +44,15 @@ std::string define(const std::string& name, bool value)
 // units of n, rounded up by a tenth; tests/capture/sag_test.cpp holds them.
 std::string coverDefines(MapKind map)
 {
-    const bool longitudeIsV = map == MapKind::tennisBall || map == MapKind::tennisBallEven;
-    const std::string sag = longitudeIsV                      ? "(0.2 * mirrorballCapture_size.x)"
+    const bool tennisBall = map == MapKind::tennisBall || map == MapKind::tennisBallEven;
+    const std::string sag = tennisBall                        ? "(0.2 * mirrorballCapture_size.x)"
                             : map == MapKind::equirectangular ? "(0.1 * mirrorballCapture_size.y)"
                                                               : "(0.09 * mirrorballCapture_size.x)";
-    return define("LONGITUDE", std::string(longitudeIsV ? "y" : "x")) +
-           define("LATITUDE", std::string(longitudeIsV ? "x" : "y")) +
-           define("PERIOD", std::string(longitudeIsV ? "(4.0 / 3.0)" : "1.0")) + define("SAG", sag);
+    return define("ALONG", std::string(map == MapKind::equirectangular ? "x" : "y")) +
+           define("ACROSS", std::string(map == MapKind::equirectangular ? "y" : "x")) +
+           define("EQUIRECTANGULAR", map == MapKind::equirectangular) +
+           define("PERIOD", std::string(map == MapKind::equirectangular ? "1.0" : "(4.0 / 3.0)")) +
+           define("SAG", sag);
 }
 
 std::string_view coverShader(MapKind map)
@@ -72,13 +74,6 @@ std::string_view coverShader(MapKind map)
     return shaders::coverSphereMap;
 }
 
-// What the geometry stage writes at most for one triangle.
-int verticesOf(const Variant& variant)
-{
-    const int polygon = variant.path == Path::exact ? 4 : 3;
-    return polygon * (variant.layers == LayerOrder::allAtOnce ? viewCount(variant.map) : 1);
-}
-
 int scalarsOf(const std::string& type)
 {
     // A matCxR, a vecN or a scalar.
@@ -93,13 +88,14 @@ int scalarsOf(const std::string& type)
 
 // Throws Error badShader when the exact path has no room for a varying of the host's, and names it. A
 // triangle hands the fragment stage its varyings at all three vertices (flat ones once), beside 15 scalars of
-// the library's own.
-void requireRoom(const CaptureProgram::Implementation& host, const Variant& variant)
+// the library's own and gl_Position. Returns the scalars of one vertex.
+int requireRoom(const CaptureProgram::Implementation& host, int views)
 {
-    constexpr int own = 15 + 4; // edges, plane, numbers; gl_Position
-    const int limit = std::min({gl::integer(GL_MAX_GEOMETRY_OUTPUT_COMPONENTS),
-                                gl::integer(GL_MAX_FRAGMENT_INPUT_COMPONENTS),
-                                gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / verticesOf(variant)});
+    constexpr int own = 15 + 4;
+    constexpr int smallestPolygon = 4;
+    const int limit = std::min(
+        {gl::integer(GL_MAX_GEOMETRY_OUTPUT_COMPONENTS), gl::integer(GL_MAX_FRAGMENT_INPUT_COMPONENTS),
+         gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / (smallestPolygon * views)});
     int used = own;
     for (const Varying& varying : host.varyings) {
         const std::string asked =
@@ -117,18 +113,40 @@ void requireRoom(const CaptureProgram::Implementation& host, const Variant& vari
                             " scalars a vertex up to it and the driver has " + std::to_string(limit),
                         "hand over fewer varyings or capture with perVertex");
     }
+    return used;
+}
+
+// The strips that a triangle's covering polygon is cut into: as many as the driver has room for, up to 10,
+// where triangles are large; one, a box, where they are small.
+int stripsOf(const CaptureProgram::Implementation& host, const Variant& variant)
+{
+    if (variant.path != Path::exact)
+        return 1;
+    const int views = variant.layers == LayerOrder::allAtOnce ? viewCount(variant.map) : 1;
+    const int scalars = requireRoom(host, views);
+    const int vertices = gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / (scalars * views);
+    return variant.large ? std::clamp(vertices / 2 - 1, 1, 10) : 1;
+}
+
+// What the geometry stage writes at most for one triangle: `corners` for each view.
+int cornersOf(const CaptureProgram::Implementation& host, const Variant& variant)
+{
+    return variant.path == Path::exact ? 2 * stripsOf(host, variant) + 2 : 3;
 }
 
 // What the shaders' #if lines ask.
-std::string defines(const Variant& variant, const std::string& position)
+std::string defines(const CaptureProgram::Implementation& host, const Variant& variant)
 {
+    const int corners = cornersOf(host, variant);
+    const int vertices = corners * (variant.layers == LayerOrder::allAtOnce ? viewCount(variant.map) : 1);
     const bool tennisBall = variant.map == MapKind::tennisBall || variant.map == MapKind::tennisBallEven;
     const bool textbook = variant.depthTerm == DepthTerm::textbook;
     const bool wraps = variant.map == MapKind::equirectangular || variant.map == MapKind::sphereMap;
     return define("VIEWS", std::to_string(viewCount(variant.map))) +
-           define("VERTICES", std::to_string(verticesOf(variant))) +
+           define("CORNERS", std::to_string(corners)) + define("VERTICES", std::to_string(vertices)) +
+           define("STRIPS", std::to_string(corners / 2 - 1)) +
            define("LAYER(view)", std::string(variant.map == MapKind::octahedral ? "0" : "(view)")) +
-           define("POSITION", position) + define("TENNIS_BALL", tennisBall) +
+           define("POSITION", host.desc.position) + define("TENNIS_BALL", tennisBall) +
            define("DUAL_PARABOLOID", variant.map == MapKind::dualParaboloid) +
            define("EQUI_ANGULAR_CUBE", variant.map == MapKind::equiAngularCube) +
            define("OCTAHEDRAL", variant.map == MapKind::octahedral) +
@@ -145,7 +163,7 @@ class Assembly
 {
 public:
     Assembly(const CaptureProgram::Implementation& host, const Variant& variant)
-        : host_(host), variant_(variant), defines_(defines(variant, host.desc.position)),
+        : host_(host), variant_(variant), defines_(defines(host, variant)),
           map_(mapGlsl(variant.map, GlslVersion::glsl330, prefix))
     {
     }
@@ -292,8 +310,6 @@ private:
 
 LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& variant)
 {
-    if (variant.path == Path::exact)
-        requireRoom(host, variant);
     const Assembly assembly(host, variant);
     std::vector<gl::ShaderSource> sources = {{GL_VERTEX_SHADER, assembly.vertex(), host.vertex.name()},
                                              {GL_FRAGMENT_SHADER, assembly.fragment(), host.fragment.name()}};

@@ -29,6 +29,7 @@ struct Variant
     Path path;
     LayerOrder layers;
     DepthTerm depthTerm;
+    bool large; // exact: of triangles that span many degrees, worth a closely fitting polygon each
 
     auto operator<=>(const Variant&) const = default;
 };

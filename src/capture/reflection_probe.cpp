@@ -105,9 +105,9 @@ struct ReflectionProbe::Implementation
     bool touches(int view, const Sphere& bounds) const;
     void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
-    std::vector<Path> paths() const; // all that a capture may take
-    Path pathOf(const CaptureMesh& mesh, int view) const;
-    const LinkedProgram& program(const CaptureMesh& mesh, Path path) const;
+    // Everything that may fail in a capture, before the state is touched.
+    void compile(std::span<const CaptureMesh> meshes) const;
+    capture::Variant variantOf(const CaptureMesh& mesh, int view) const;
     void drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw);
     void setUniforms(const LinkedProgram& linked, int view) const;
     void publish();
@@ -211,33 +211,37 @@ void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, i
     glUniformMatrix3fv(linked.inwardPlanes, views, GL_FALSE, glm::value_ptr(inward[0]));
 }
 
-Path ReflectionProbe::Implementation::pathOf(const CaptureMesh& mesh, int view) const
+capture::Variant ReflectionProbe::Implementation::variantOf(const CaptureMesh& mesh, int view) const
 {
+    capture::Variant variant{desc.map, Path::exact, desc.layers, desc.depthTerm, true};
+    // Triangles that span less than this are nearly straight on the map, and a simple polygon covers each
+    // closely.
+    constexpr double largeSpan = 0.45;
+    capture::MeshBounds seen{};
+    if (mesh.bounds) {
+        seen = {glm::dvec3(probeFromWorld() * glm::dvec4(glm::dvec3(mesh.bounds->centre), 1.0)),
+                static_cast<double>(mesh.bounds->radius), static_cast<double>(mesh.longestEdge)};
+        variant.large = !(seen.longestEdge < largeSpan * (glm::length(seen.centre) - seen.radius));
+    }
     if (desc.method == CaptureMethod::exact)
-        return Path::exact;
+        return variant;
     if (capture::isPiecewiseLinear(desc.map))
-        return Path::linear;
-    if (desc.method == CaptureMethod::perVertex)
-        return Path::textbook;
-    // A draw into all layers at once has no one view to judge by.
-    if (!mesh.bounds || view < 0)
-        return Path::exact;
-    const glm::dvec3 centre(probeFromWorld() * glm::dvec4(glm::dvec3(mesh.bounds->centre), 1.0));
-    const capture::MeshBounds seen{centre, static_cast<double>(mesh.bounds->radius),
-                                   static_cast<double>(mesh.longestEdge)};
-    const auto epsilon = static_cast<double>(desc.epsilon);
-    return capture::mappingSuffices(desc.map, view, seen, desc.n, epsilon) ? Path::mapped : Path::exact;
-}
-
-const LinkedProgram& ReflectionProbe::Implementation::program(const CaptureMesh& mesh, Path path) const
-{
-    return mesh.program->implementation().program({desc.map, path, desc.layers, desc.depthTerm});
+        variant.path = Path::linear;
+    else if (desc.method == CaptureMethod::perVertex)
+        variant.path = Path::textbook;
+    else if (mesh.bounds && view >= 0 && // a draw into all layers at once has no one view to judge by
+             capture::mappingSuffices(desc.map, view, seen, desc.n, static_cast<double>(desc.epsilon)))
+        variant.path = Path::mapped;
+    if (variant.path != Path::exact)
+        variant.large = false;
+    return variant;
 }
 
 void ReflectionProbe::Implementation::drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw)
 {
-    const Path path = pathOf(mesh, view);
-    const LinkedProgram& linked = program(mesh, path);
+    const capture::Variant variant = variantOf(mesh, view);
+    const Path path = variant.path;
+    const LinkedProgram& linked = mesh.program->implementation().program(variant);
     // Set again for every draw: the callback may have changed any of it.
     const auto layer = static_cast<std::size_t>(view < 0 ? 0 : capture::layerOfView(desc.map, view));
     glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? back.allLayers.name() : back.layers[layer].name());
@@ -282,17 +286,12 @@ void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh>
     }
 }
 
-std::vector<Path> ReflectionProbe::Implementation::paths() const
+void ReflectionProbe::Implementation::compile(std::span<const CaptureMesh> meshes) const
 {
-    if (desc.method == CaptureMethod::exact)
-        return {Path::exact};
-    if (capture::isPiecewiseLinear(desc.map))
-        return {Path::linear};
-    if (desc.method == CaptureMethod::perVertex)
-        return {Path::textbook};
-    if (desc.layers == LayerOrder::allAtOnce)
-        return {Path::exact};
-    return {Path::mapped, Path::exact};
+    const bool together = desc.layers == LayerOrder::allAtOnce;
+    for (const CaptureMesh& mesh : meshes)
+        for (int view = together ? -1 : 0; view < (together ? 0 : capture::viewCount(desc.map)); ++view)
+            mesh.program->implementation().program(variantOf(mesh, view));
 }
 
 void ReflectionProbe::Implementation::place()
@@ -361,10 +360,9 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
         if (mesh.program == nullptr)
             throw Error(ErrorKind::badArgument, "a capture of probe '" + self.desc.name + "'",
                         "a mesh has no program", "set CaptureMesh::program");
-        for (const Path path : self.paths())
-            self.program(mesh, path);
     }
     self.place();
+    self.compile(meshes);
 
     struct Capturing
     {

@@ -4,17 +4,12 @@ uniform vec2 mirrorballCapture_size; // of a layer, in texels
 // Rounding of positions (the rasteriser snaps to 1/16 texel at the coarsest) and of the chart.
 const float mirrorballCapture_guard = 0.07;
 
-// A box from low to high, cut to the layer. False if nothing of it lies there.
-bool mirrorballCapture_coverBox(vec2 low, vec2 high, out vec2 corner[4])
+// A covering polygon: the corners of a triangle strip.
+struct mirrorballCapture_Cover
 {
-    low = max(low - mirrorballCapture_guard, vec2(0.0));
-    high = min(high + mirrorballCapture_guard, mirrorballCapture_size);
-    corner[0] = low;
-    corner[1] = vec2(high.x, low.y);
-    corner[2] = vec2(low.x, high.y);
-    corner[3] = high;
-    return all(lessThan(low, high));
-}
+    int count; // 0 where nothing of the triangle lies on the layer
+    vec2 corner[MIRRORBALL_CORNERS];
+};
 
 // The corner at b of a triangle whose edges ab and bc are pushed outwards by `push` (x for ab, y for bc); turn is +1
 // for a counter-clockwise triangle. `stretch` tells how far the corner moved compared with the pushes.
@@ -33,25 +28,27 @@ vec2 mirrorballCapture_pushedCorner(vec2 a, vec2 b, vec2 c, vec2 push, float tur
 
 // A triangle with straight edges on the map, each pushed out by its sag (edge k is opposite to corner k); a needle
 // gets a box along its longest edge instead, since its pushed corners would lie far out.
-bool mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, out vec2 corner[4])
+void mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, inout mirrorballCapture_Cover cover)
 {
     sag += mirrorballCapture_guard;
     float most = max(max(sag.x, sag.y), sag.z);
     vec2 low = min(min(p[0], p[1]), p[2]) - most;
     vec2 high = max(max(p[0], p[1]), p[2]) + most;
+    cover.count = 0;
     if (any(greaterThan(low, mirrorballCapture_size)) || any(lessThan(high, vec2(0.0))))
-        return false;
+        return;
+    cover.count = 4;
     vec2 ab = p[1] - p[0];
     vec2 ac = p[2] - p[0];
     float turn = ab.x * ac.y - ab.y * ac.x < 0.0 ? -1.0 : 1.0;
     float stretch = 0.0;
-    corner[0] = mirrorballCapture_pushedCorner(p[2], p[0], p[1], sag.yz, turn, stretch);
-    corner[1] = mirrorballCapture_pushedCorner(p[0], p[1], p[2], sag.zx, turn, stretch);
-    corner[2] = mirrorballCapture_pushedCorner(p[1], p[2], p[0], sag.xy, turn, stretch);
-    corner[3] = corner[2];
+    cover.corner[0] = mirrorballCapture_pushedCorner(p[2], p[0], p[1], sag.yz, turn, stretch);
+    cover.corner[1] = mirrorballCapture_pushedCorner(p[0], p[1], p[2], sag.zx, turn, stretch);
+    cover.corner[2] = mirrorballCapture_pushedCorner(p[1], p[2], p[0], sag.xy, turn, stretch);
+    cover.corner[3] = cover.corner[2];
     // NaN, from two corners in one place, takes the box as well.
     if (stretch < 4.0)
-        return true;
+        return;
     vec2 bc = p[2] - p[1];
     vec2 along = dot(ab, ab) >= dot(ac, ac) && dot(ab, ab) >= dot(bc, bc) ? ab : dot(ac, ac) >= dot(bc, bc) ? ac : bc;
     float size = length(along);
@@ -61,9 +58,58 @@ bool mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, out vec2 corner[4])
     vec3 t = vec3(dot(p[0], across), dot(p[1], across), dot(p[2], across));
     vec2 first = vec2(min(min(s.x, s.y), s.z), min(min(t.x, t.y), t.z)) - most;
     vec2 last = vec2(max(max(s.x, s.y), s.z), max(max(t.x, t.y), t.z)) + most;
-    corner[0] = first.x * along + first.y * across;
-    corner[1] = last.x * along + first.y * across;
-    corner[2] = first.x * along + last.y * across;
-    corner[3] = last.x * along + last.y * across;
-    return true;
+    cover.corner[0] = first.x * along + first.y * across;
+    cover.corner[1] = last.x * along + first.y * across;
+    cover.corner[2] = first.x * along + last.y * across;
+    cover.corner[3] = last.x * along + last.y * across;
+}
+
+// Each family of maps writes these two: how an edge (turned so that the inside is where it is >= 0) narrows the extent of
+// a triangle across a strip, and how the view itself does.
+void mirrorballCapture_narrow(int view, vec3 edge, float from, float to, inout vec2 extent);
+void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 extent);
+
+// A triangle of any size, cut into strips between `first` and `last` along MIRRORBALL_ALONG. In each strip the widest
+// extent of the triangle across it follows from its three edges (turned so that the inside is where they are >= 0);
+// the polygon runs through the wider of two neighbours' extents.
+void mirrorballCapture_coverStrips(int view, vec3 edge[3], float first, float last, inout mirrorballCapture_Cover cover)
+{
+    const vec2 nothing = vec2(2.0, -1.0);
+    float step = (last - first) / float(MIRRORBALL_STRIPS);
+    vec2 before = nothing;
+    bool seen = false;
+    for (int strip = 0; strip <= MIRRORBALL_STRIPS; ++strip) {
+        vec2 extent = nothing;
+        float at = first + step * float(strip);
+        if (strip < MIRRORBALL_STRIPS) {
+            vec2 found = vec2(0.0, 1.0);
+            for (int k = 0; k < 3; ++k)
+                mirrorballCapture_narrow(view, edge[k], at, at + step, found);
+            mirrorballCapture_narrowToView(view, at, at + step, found);
+            extent = found.x <= found.y ? found : nothing;
+        }
+        vec2 both = vec2(min(before.x, extent.x), max(before.y, extent.y));
+        vec2 low, high;
+        low.MIRRORBALL_ALONG = high.MIRRORBALL_ALONG = at * mirrorballCapture_size.MIRRORBALL_ALONG;
+        low.MIRRORBALL_ACROSS = both.x * mirrorballCapture_size.MIRRORBALL_ACROSS - mirrorballCapture_guard;
+        high.MIRRORBALL_ACROSS = both.y * mirrorballCapture_size.MIRRORBALL_ACROSS + mirrorballCapture_guard;
+        if (both.x > both.y && seen) { // behind the triangle: no area
+            low = cover.corner[2 * strip - 2];
+            high = cover.corner[2 * strip - 1];
+        }
+        if (both.x <= both.y && !seen) { // before it: no area either
+            low.MIRRORBALL_ALONG -= mirrorballCapture_guard;
+            high.MIRRORBALL_ALONG -= mirrorballCapture_guard;
+            for (int index = 0; index < 2 * strip; ++index)
+                cover.corner[index] = low;
+            seen = true;
+        } else if (extent.x > extent.y && before.x <= before.y) { // its end
+            low.MIRRORBALL_ALONG += mirrorballCapture_guard;
+            high.MIRRORBALL_ALONG += mirrorballCapture_guard;
+        }
+        cover.corner[2 * strip] = low;
+        cover.corner[2 * strip + 1] = high;
+        before = extent;
+    }
+    cover.count = seen ? 2 * MIRRORBALL_STRIPS + 2 : 0;
 }

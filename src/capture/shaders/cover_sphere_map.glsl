@@ -1,5 +1,13 @@
-// The sphere map: nearly straight away from its singular rim, else everything.
-bool mirrorballCapture_cover(int view, vec3 vertex[3], vec3 edge[3], float side, out vec2 corner[4])
+// The sphere map has no bound of a large triangle but the whole layer.
+void mirrorballCapture_narrow(int view, vec3 edge, float from, float to, inout vec2 extent)
+{
+}
+
+void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 extent)
+{
+}
+
+void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
     vec3 unit[3];
     float lowest = 1.0;
@@ -8,12 +16,13 @@ bool mirrorballCapture_cover(int view, vec3 vertex[3], vec3 edge[3], float side,
         lowest = min(lowest, unit[k].z);
     }
     vec3 chord = vec3(distance(unit[1], unit[2]), distance(unit[2], unit[0]), distance(unit[0], unit[1]));
-    // Within 120 degrees of the centre, edges below a fifth of a radian.
+    // Within 120 degrees of the centre, edges below a fifth of a radian: nearly straight on the map.
     if (lowest > -0.5 && max(max(chord.x, chord.y), chord.z) < 0.2) {
         vec2 p[3];
         for (int k = 0; k < 3; ++k)
             p[k] = mirrorballCapture_squareFromDirection(view, vertex[k]) * mirrorballCapture_size;
-        return mirrorballCapture_coverTriangle(p, chord * chord * MIRRORBALL_SAG, corner);
+        mirrorballCapture_coverTriangle(p, chord * chord * MIRRORBALL_SAG, cover);
+        return;
     }
-    return mirrorballCapture_coverBox(vec2(0.0), mirrorballCapture_size, corner);
+    mirrorballCapture_coverStrips(view, edge, 0.0, 1.0, cover);
 }

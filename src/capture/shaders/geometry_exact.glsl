@@ -30,17 +30,19 @@ vec3 mirrorballCapture_edgeNormal(vec3 from, vec3 to)
 
 void mirrorballCapture_emit(int view, vec3 vertex[3], vec3 edge[3], vec4 plane)
 {
-    vec2 corner[4];
-    if (!mirrorballCapture_cover(view, vertex, edge, plane.w, corner))
-        return;
-    for (int index = 0; index < 4; ++index) {
+    vec3 inward[3];
+    for (int k = 0; k < 3; ++k)
+        inward[k] = plane.w < 0.0 ? -edge[k] : edge[k];
+    mirrorballCapture_Cover cover;
+    mirrorballCapture_coverIn(view, vertex, inward, cover);
+    for (int index = 0; index < cover.count; ++index) {
         mirrorballCapture_edge0 = edge[0];
         mirrorballCapture_edge1 = edge[1];
         mirrorballCapture_edge2 = edge[2];
         mirrorballCapture_plane = plane;
         mirrorballCapture_numbers = ivec2(gl_PrimitiveIDIn, MIRRORBALL_LAYER(view));
         mirrorballCapture_copyVaryings();
-        gl_Position = vec4(2.0 * corner[index] / mirrorballCapture_size - 1.0, 0.0, 1.0);
+        gl_Position = vec4(2.0 * cover.corner[index] / mirrorballCapture_size - 1.0, 0.0, 1.0);
 #if MIRRORBALL_ALL_AT_ONCE
         gl_Layer = MIRRORBALL_LAYER(view);
 #endif
