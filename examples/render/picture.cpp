@@ -35,7 +35,7 @@ Picture reduced(const Picture& picture, int k, View view)
 void writePicture(const Picture& picture, View view, const std::string& file)
 {
     if (std::filesystem::path(file).extension() == ".exr")
-        return writeAll({{file, exrOf(picture.size.x, picture.size.y, view, picture.samples)}});
+        return mirrorball::io::writeExr(file, exrOf(picture.size.x, picture.size.y, view, picture.samples));
     mirrorball::io::Image image{picture.size.x, picture.size.y, 3, {}};
     for (const Sample& sample : picture.samples)
         for (int channel = 0; channel < 3; ++channel)
