@@ -13,7 +13,10 @@ using mirrorball::CaptureMethod;
 using mirrorball::LayerOrder;
 
 constexpr LibraryMethod methods[] = {
+    {"automatic", CaptureMethod::automatic, LayerOrder::oneAtATime},
+    {"exact", CaptureMethod::exact, LayerOrder::oneAtATime},
     {"perVertex", CaptureMethod::perVertex, LayerOrder::oneAtATime},
+    {"exact, all at once", CaptureMethod::exact, LayerOrder::allAtOnce},
     {"perVertex, all at once", CaptureMethod::perVertex, LayerOrder::allAtOnce},
 };
 

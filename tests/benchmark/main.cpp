@@ -1,31 +1,84 @@
 // benchmark: run time against error of every map and method, beside hand-written cube maps, in one run.
 #include "command_line.h"
-#include "csv.h"
+#include "findings.h"
+#include "output.h"
 #include "plan.h"
 #include "run.h"
 
 #include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace {
 
 using namespace tests::benchmark;
 
-void runAll(const Options& options)
+constexpr int fullFrames = 30;
+constexpr int quickFrames = 8;
+
+void requireAllowed(const Options& options)
 {
+    // The cube's faces are 2D textures; every driver has 16384 texels or refuses the map with its limit.
+    for (const int size : options.sizes)
+        if (size < 1 || size > 16384)
+            throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--size " + std::to_string(size),
+                                    "a map has 1 to 16384 texels across", "ask for a size in that range");
+    if (options.frames < 1)
+        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--frames", "it is less than 1",
+                                "give 1 or more");
+}
+
+void printChecks(const std::vector<Row>& rows)
+{
+    for (const RivalCheck& check : rivalChecksOf(rows))
+        std::cout << "rival check, " << check.scene << ": culled / plain " << check.measured << ", expected "
+                  << check.expected << (check.isKept() ? ": kept\n" : ": NOT KEPT\n");
+}
+
+void runAll(const Options& options, const std::string& command)
+{
+    requireAllowed(options);
+    makeFolder(options.folder);
     const mirrorball::headless::Context context;
     std::vector<std::string> missing;
     const std::vector<Group> plan = makePlan(options, missing);
-    const int frames = options.frames > 0 ? options.frames : options.quick ? 8 : 30;
-    Progress progress(stepsOf(plan, frames));
-    const std::vector<Row> rows = run(plan, frames, progress);
-    std::filesystem::create_directories(options.folder);
-    std::ofstream file(std::filesystem::path(options.folder) / "benchmark.csv");
-    writeCsv(file, rows);
+    if (plan.empty())
+        throw mirrorball::Error(mirrorball::ErrorKind::notFound, "the scenes of a benchmark",
+                                "none of their files is there", "install assimp-testmodels and glmark2-data");
+    std::vector<Row> rows;
+    {
+        Progress progress(stepsOf(plan, options.frames));
+        rows = run(plan, options.frames, progress);
+    }
+    writeFiles(options.folder, rows, {context.description(), command, options.frames, missing});
+    printChecks(rows);
+    std::cout << options.folder << "/README.md\n";
+}
+
+// An option that may be given several times, each time one of the names.
+template <class Value>
+void addList(CLI::App& app, const std::string& name, std::vector<Value>& values,
+             const std::vector<std::pair<std::string, Value>>& known, const std::string& description)
+{
+    std::vector<std::string> names;
+    for (const auto& [word, meaning] : known)
+        names.push_back(word);
+    const std::string list = examples::joined(names);
+    app.add_option_function<std::vector<std::string>>(
+           name,
+           [&values, known, name, list](const std::vector<std::string>& words) {
+               for (const std::string& word : words) {
+                   const auto found = std::find_if(known.begin(), known.end(),
+                                                   [&](const auto& each) { return each.first == word; });
+                   if (found == known.end())
+                       throw CLI::ConversionError(name + ": '" + word + "' is unknown; it is one of " + list);
+                   values.push_back(found->second);
+               }
+           },
+           description + ", once for each: " + list)
+        ->default_str("all")
+        ->allow_extra_args(false);
 }
 
 } // namespace
@@ -33,13 +86,33 @@ void runAll(const Options& options)
 int main(int argc, char** argv)
 {
     Options options;
-    CLI::App app{"Measures what a map costs and how right it is."};
+    CLI::App app{"Measures what a map of the surroundings costs and how right it is: every map and method of "
+                 "the library, beside cube maps written by hand."};
     app.name("benchmark");
-    app.add_flag("--quick", options.quick, "fewer scenes, maps and frames: two minutes");
-    app.add_option("--scene", options.scenes, "scene");
-    app.add_option("--method", options.methods, "method");
-    app.add_option("--size", options.sizes, "the cube map's n");
-    app.add_option("--frames", options.frames, "frames");
-    app.add_option("-o,--output", options.folder, "folder")->required()->type_name("DIR");
-    return examples::runProgram(app, argc, argv, [&] { runAll(options); });
+    std::vector<std::pair<std::string, std::string>> scenes, methods;
+    for (const SceneChoice& scene : sceneChoices())
+        scenes.emplace_back(scene.name, scene.name);
+    for (const LibraryMethod& method : libraryMethods())
+        methods.emplace_back(method.name, method.name);
+    std::vector<std::pair<std::string, mirrorball::MapKind>> maps;
+    for (const mirrorball::MapInfo& info : mirrorball::maps())
+        maps.emplace_back(info.name, info.kind);
+    app.add_flag("--quick", options.quick, "fewer scenes, maps and frames: within two minutes");
+    addList(app, "--scene", options.scenes, scenes, "a scene");
+    addList(app, "--map", options.maps, maps, "a map");
+    addList(app, "--method", options.methods, methods, "a method");
+    app.add_option("--size", options.sizes,
+                   "n of the cube map, once for each (default: 256, 64, 128, 512, 1024)")
+        ->allow_extra_args(false);
+    CLI::Option* const frames =
+        examples::addInteger(app, "--frames", options.frames, "measured frames of each contender");
+    frames->default_str("30, 8 where quick");
+    app.add_option("-o,--output", options.folder, "writes README.md, benchmark.csv and plots into it")
+        ->required()
+        ->type_name("DIR");
+    return examples::runProgram(app, argc, argv, [&] {
+        if (frames->count() == 0)
+            options.frames = options.quick ? quickFrames : fullFrames;
+        runAll(options, options.quick ? "benchmark --quick" : "benchmark");
+    });
 }

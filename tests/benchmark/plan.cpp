@@ -15,11 +15,10 @@ namespace {
 using mirrorball::MapKind;
 
 constexpr int mainN = 256;
-// All maps are measured at mainN, the two tennis-ball maps at these as well.
 constexpr int otherN[] = {64, 128, 512, 1024};
+// Measured by every method, at every size and with back faces culled; the others to compare with.
 constexpr MapKind mainMaps[] = {MapKind::tennisBall, MapKind::tennisBallEven};
-constexpr MapKind quickMaps[] = {MapKind::tennisBall, MapKind::tennisBallEven, MapKind::dualParaboloid,
-                                 MapKind::cube};
+constexpr MapKind quickMaps[] = {MapKind::tennisBall, MapKind::tennisBallEven, MapKind::cube};
 
 template <class List, class Value>
 bool contains(const List& list, const Value& value)
@@ -27,25 +26,32 @@ bool contains(const List& list, const Value& value)
     return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
 
-// Cube and octahedral maps are piecewise linear: one method draws them as well as another.
-bool isPiecewiseLinear(MapKind map)
-{
-    return map == MapKind::cube || map == MapKind::octahedral;
-}
-
 void addRivals(Group& group)
 {
-    const auto add = [&](Rival rival, RivalFormats formats) {
-        if (isSupported(rival))
+    const RivalFormats formats = group.isRivalCheck ? RivalFormats::eightBit : RivalFormats::asTheLibrary;
+    for (const RivalInfo& info : rivals()) {
+        const bool isAside = group.isRivalCheck && info.rival != Rival::plain && info.rival != Rival::culled;
+        if (isSupported(info.rival) && !isAside)
             group.entries.push_back(
-                {rival, nullptr, MapKind::cube, Sizing::equalTexels, group.cubeN, formats});
-    };
-    for (const RivalInfo& info : rivals())
-        add(info.rival, RivalFormats::asTheLibrary);
-    if (!group.scene->culledOverPlain || !group.cullBackFaces || group.cubeN != mainN)
-        return;
-    add(Rival::plain, RivalFormats::eightBit);
-    add(Rival::culled, RivalFormats::eightBit);
+                {info.rival, nullptr, MapKind::cube, Sizing::equalTexels, group.cubeN, formats});
+    }
+}
+
+// What is left out, so that a run ends within reach: methods of the least interest where they were measured
+// elsewhere. A method that was asked for is never left out.
+bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const Group& group,
+                const Options& options)
+{
+    if (!options.methods.empty())
+        return contains(options.methods, method.name);
+    const bool isAutomatic = method.method == mirrorball::CaptureMethod::automatic;
+    const bool isPerVertex = method.method == mirrorball::CaptureMethod::perVertex;
+    if (method.layers == mirrorball::LayerOrder::allAtOnce)
+        return !options.quick && map == MapKind::tennisBall && sizing == Sizing::equalTexels &&
+               group.cubeN == mainN && !group.cullBackFaces;
+    if (!contains(mainMaps, map))
+        return isAutomatic || sizing == Sizing::equalTexels;
+    return !isPerVertex || sizing == Sizing::equalTexels;
 }
 
 void addMap(Group& group, MapKind map, const Options& options)
@@ -53,18 +59,14 @@ void addMap(Group& group, MapKind map, const Options& options)
     const double texels = 6.0 * group.cubeN * group.cubeN;
     const int equalTexels = mirrorball::shortSideFromTexels(map, texels);
     const std::optional<int> equalAngle = equalAngleN(map, group.cubeN);
-    bool first = true;
-    for (const LibraryMethod& method : libraryMethods()) {
-        if (!options.methods.empty() && !contains(options.methods, method.name))
-            continue;
-        if (!std::exchange(first, false) && isPiecewiseLinear(map))
-            continue;
-        const auto add = [&](Sizing sizing, int n) {
+    const auto add = [&](const LibraryMethod& method, Sizing sizing, int n) {
+        if (isMeasured(method, map, sizing, group, options))
             group.entries.push_back({std::nullopt, &method, map, sizing, n, RivalFormats::asTheLibrary});
-        };
-        add(Sizing::equalTexels, equalTexels);
+    };
+    for (const LibraryMethod& method : libraryMethods()) {
+        add(method, Sizing::equalTexels, equalTexels);
         if (equalAngle && *equalAngle != equalTexels)
-            add(Sizing::equalAngle, *equalAngle);
+            add(method, Sizing::equalAngle, *equalAngle);
     }
 }
 
@@ -94,11 +96,11 @@ std::vector<MapKind> mapsAt(int cubeN, bool cullBackFaces, const Options& option
     return all;
 }
 
-std::vector<int> sizesOf(const Options& options)
+std::vector<int> sizesOf(const SceneChoice& scene, const Options& options)
 {
     if (!options.sizes.empty())
         return options.sizes;
-    if (options.quick)
+    if (options.quick || !scene.everySize)
         return {mainN};
     std::vector<int> sizes = {mainN};
     sizes.insert(sizes.end(), std::begin(otherN), std::end(otherN));
@@ -130,6 +132,12 @@ std::string Entry::methodName() const
     return std::string(info->name) + (formats == RivalFormats::eightBit ? ", 8-bit formats" : "");
 }
 
+bool isSameGroup(const Group& a, const Group& b)
+{
+    return a.scene == b.scene && a.cubeN == b.cubeN && a.cullBackFaces == b.cullBackFaces &&
+           a.isRivalCheck == b.isRivalCheck;
+}
+
 std::optional<int> equalAngleN(MapKind map, int cubeN)
 {
     if (map == MapKind::sphereMap)
@@ -154,16 +162,21 @@ std::vector<Group> makePlan(const Options& options, std::vector<std::string>& mi
             missing.push_back(std::string(scene.name));
             continue;
         }
-        for (const int cubeN : sizesOf(options))
+        const std::vector<int> sizes = sizesOf(scene, options);
+        for (const int cubeN : sizes)
             for (const bool cullBackFaces : {false, true}) {
-                if (cullBackFaces && (!scene.closed || cubeN != sizesOf(options).front()))
+                if (cullBackFaces && (!scene.closed || cubeN != sizes.front()))
                     continue;
-                Group group{&scene, cubeN, cullBackFaces, {}};
+                Group group{&scene, cubeN, cullBackFaces, false, {}};
                 addRivals(group);
                 for (const MapKind map : mapsAt(cubeN, cullBackFaces, options))
                     addMap(group, map, options);
                 groups.push_back(std::move(group));
             }
+        if (scene.culledOverPlain) {
+            groups.push_back({&scene, mainN, true, true, {}});
+            addRivals(groups.back());
+        }
     }
     return groups;
 }

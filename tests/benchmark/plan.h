@@ -36,13 +36,15 @@ struct Group
     const SceneChoice* scene;
     int cubeN; // of the rivals
     bool cullBackFaces;
+    bool isRivalCheck;          // nothing but six passes, plain and culled, in 8-bit formats
     std::vector<Entry> entries; // "six passes, culled" is among them
 };
+bool isSameGroup(const Group& a, const Group& b); // but for their entries
 
 struct Options
 {
     bool quick = false;
-    int frames = 0; // 0: 30, or 8 where quick
+    int frames = 30;
     std::vector<std::string> scenes, methods;
     std::vector<mirrorball::MapKind> maps;
     std::vector<int> sizes; // the cube's n

@@ -24,8 +24,8 @@ constexpr int faceCount = 6;
 
 constexpr RivalInfo infos[] = {{Rival::plain, "six passes"},
                                {Rival::culled, "six passes, culled"},
-                               {Rival::layeredGeometry, "one layered draw, geometry shader"},
-                               {Rival::layeredInstanced, "one layered draw, instanced"}};
+                               {Rival::layeredGeometry, "layered, geometry shader"},
+                               {Rival::layeredInstanced, "layered, instanced"}};
 
 // OpenGL's cube-map table: what a face's s and t run along, and where it looks.
 struct Face

@@ -13,6 +13,8 @@ namespace {
 using mirrorball::MapKind;
 
 constexpr int warmUpFrames = 4;
+// Two contenders whose ratio must be sure, however few frames the others are given.
+constexpr int rivalCheckFrames = 30;
 // A contender's errors take about as long as so many of its frames.
 constexpr int errorFrames = 20;
 
@@ -55,16 +57,12 @@ private:
 // Ratios to the culled six passes, and to the best of the hand-written cubes.
 void setRatios(std::span<Row> rows)
 {
-    const auto isCube = [](const Row& row) {
-        return row.entry.rival && row.entry.formats == RivalFormats::asTheLibrary;
-    };
-    const auto culled = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-        return isCube(row) && *row.entry.rival == Rival::culled;
-    });
+    const auto culled = std::find_if(rows.begin(), rows.end(),
+                                     [](const Row& row) { return row.entry.rival == Rival::culled; });
     const Timing base = culled->timing;
     double best = std::numeric_limits<double>::infinity();
     for (const Row& row : rows)
-        if (isCube(row))
+        if (row.entry.rival)
             best = std::min(best, row.timing.cpu.median);
     for (Row& row : rows) {
         row.cpuRatio = row.timing.cpu.median / base.cpu.median;
@@ -75,10 +73,16 @@ void setRatios(std::span<Row> rows)
     }
 }
 
+int framesOf(const Group& group, int frames)
+{
+    return group.isRivalCheck ? std::max(frames, rivalCheckFrames) : frames;
+}
+
 // Roughly what a frame costs next to others, so that the time left comes out right.
 double weightOf(const Group& group)
 {
-    return 1.0 + static_cast<double>(group.cubeN) * group.cubeN / (256.0 * 256.0);
+    const double texels = static_cast<double>(group.cubeN) * group.cubeN / (256.0 * 256.0);
+    return group.scene->weight * 0.5 * (1.0 + texels);
 }
 
 void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& progress, std::vector<Row>& rows)
@@ -87,13 +91,13 @@ void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& pro
     std::vector<std::unique_ptr<Contender>> contenders;
     for (const Entry& entry : group.entries)
         contenders.push_back(make(entry, stage, group.cullBackFaces, examples::View::colour));
-    const std::vector<Timing> timings =
-        measure(contenders, warmUpFrames, frames, [&] { progress.advance(weightOf(group)); });
+    const std::vector<Timing> timings = measure(contenders, warmUpFrames, framesOf(group, frames),
+                                                [&] { progress.advance(weightOf(group)); });
 
     const std::size_t firstRow = rows.size();
     for (std::size_t index = 0; index < group.entries.size(); ++index) {
         Row row;
-        row.group = {group.scene, group.cubeN, group.cullBackFaces, {}};
+        row.group = {group.scene, group.cubeN, group.cullBackFaces, group.isRivalCheck, {}};
         row.entry = group.entries[index];
         row.sceneTriangles = stage.triangleCount();
         row.sceneVertices = stage.vertexCount();
@@ -101,7 +105,7 @@ void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& pro
         row.timing = timings[index];
         row.work = countWork(*contenders[index]);
         contenders[index].reset();
-        if (row.entry.formats == RivalFormats::asTheLibrary)
+        if (!group.isRivalCheck)
             row.errors = loaded.errors(row.entry, group.cullBackFaces);
         progress.advance(errorFrames * weightOf(group));
         rows.push_back(std::move(row));
@@ -116,7 +120,7 @@ double stepsOf(const std::vector<Group>& plan, int frames)
     double steps = 0.0;
     for (const Group& group : plan)
         steps += weightOf(group) * static_cast<double>(group.entries.size()) *
-                 (warmUpFrames + frames + errorFrames);
+                 (warmUpFrames + framesOf(group, frames) + errorFrames);
     return steps;
 }
 

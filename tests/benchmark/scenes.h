@@ -18,6 +18,9 @@ struct SceneChoice
     float near, far;         // radial; nothing of the scene is nearer or farther
     bool closed;             // no back face is seen from there, so that back faces may be culled
     bool quick;              // part of --quick
+    bool everySize;          // measured at every size, not at n = 256 only
+    // Roughly what a frame costs next to others, for the time left.
+    double weight;
     // CPU time of six culled passes over six plain ones at n = 256, measured once with other code: six faces
     // in RGBA8 with a 24-bit depth buffer. Empty where nothing was measured.
     std::optional<double> culledOverPlain;
