@@ -38,6 +38,26 @@ std::string define(const std::string& name, bool value)
     return define(name, std::string(value ? "1" : "0"));
 }
 
+// The places where the outline of a triangle may turn back along the strips of its covering polygon.
+int eventsOf(MapKind map)
+{
+    switch (map) {
+    case MapKind::tennisBall:
+    case MapKind::tennisBallEven:
+    case MapKind::equirectangular:
+        return 9;
+    case MapKind::dualParaboloid:
+        return 12;
+    case MapKind::cube:
+    case MapKind::equiAngularCube:
+    case MapKind::octahedral:
+        return 3;
+    case MapKind::sphereMap:
+        break;
+    }
+    return 1;
+}
+
 // Sag of an arc on the map over its chord, in texels: a constant times chord² (of unit directions). The
 // constants are the suprema over arcs with both ends within 60 degrees of the equator and chords up to 1/2
 // (for the sphere map within 120 degrees of its centre and up to 1/5), 0.183, 0.183, 0.0914 and 0.0813 in
@@ -52,7 +72,7 @@ std::string coverDefines(MapKind map)
            define("ACROSS", std::string(map == MapKind::equirectangular ? "y" : "x")) +
            define("EQUIRECTANGULAR", map == MapKind::equirectangular) +
            define("PERIOD", std::string(map == MapKind::equirectangular ? "1.0" : "(4.0 / 3.0)")) +
-           define("SAG", sag);
+           define("EVENTS", std::to_string(eventsOf(map))) + define("SAG", sag);
 }
 
 std::string_view coverShader(MapKind map)

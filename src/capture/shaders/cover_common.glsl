@@ -64,17 +64,33 @@ void mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, inout mirrorballCaptur
     cover.corner[3] = last.x * along + last.y * across;
 }
 
-// Each family of maps writes these two: how an edge (turned so that the inside is where it is >= 0) narrows the extent of
-// a triangle across a strip, and how the view itself does.
-void mirrorballCapture_narrow(int view, vec3 edge, float from, float to, inout vec2 extent);
-void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 extent);
+// Each family of maps writes this: the extent across, at one place along, is narrowed to the side of an edge's plane
+// where edge . direction >= 0 (a little more, for rounding).
+void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent);
 
-// A triangle of any size, cut into strips between `first` and `last` along MIRRORBALL_ALONG. In each strip the widest
-// extent of the triangle across it follows from its three edges (turned so that the inside is where they are >= 0);
-// the polygon runs through the wider of two neighbours' extents.
-void mirrorballCapture_coverStrips(int view, vec3 edge[3], float first, float last, inout mirrorballCapture_Cover cover)
+#if MIRRORBALL_OCTAHEDRAL
+// The octahedral map's views share a layer: the extent is narrowed to what a view has of a strip.
+void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 extent);
+#endif
+
+// A triangle's extent at one place along, which may lie beyond the layer; empty where the first is greater than the
+// second.
+vec2 mirrorballCapture_extentAt(int view, vec3 edge[4], float at)
 {
-    const vec2 nothing = vec2(2.0, -1.0);
+    vec2 extent = vec2(-9.0, 10.0);
+    for (int k = 0; k < 4; ++k)
+        mirrorballCapture_narrow(view, edge[k], at, extent);
+    return extent;
+}
+
+// A triangle of any size, cut into strips between `first` and `last` along MIRRORBALL_ALONG. Its outline across is
+// monotone between `events` (vertices, and where an edge turns back), so the extent at those and at a strip's ends bounds
+// the strip. The polygon runs through the wider of two neighbours' extents. edge: those of the triangle, turned so that
+// the inside is where they are >= 0, and a plane that cuts away the far side of the sphere.
+void mirrorballCapture_coverStrips(int view, vec3 edge[4], float events[MIRRORBALL_EVENTS], float first, float last,
+                                   inout mirrorballCapture_Cover cover)
+{
+    const vec2 nothing = vec2(20.0, -20.0);
     float step = (last - first) / float(MIRRORBALL_STRIPS);
     vec2 before = nothing;
     bool seen = false;
@@ -82,11 +98,19 @@ void mirrorballCapture_coverStrips(int view, vec3 edge[3], float first, float la
         vec2 extent = nothing;
         float at = first + step * float(strip);
         if (strip < MIRRORBALL_STRIPS) {
-            vec2 found = vec2(0.0, 1.0);
-            for (int k = 0; k < 3; ++k)
-                mirrorballCapture_narrow(view, edge[k], at, at + step, found);
-            mirrorballCapture_narrowToView(view, at, at + step, found);
-            extent = found.x <= found.y ? found : nothing;
+            for (int index = 0; index < MIRRORBALL_EVENTS + 2; ++index) {
+                float place = index == 0   ? at
+                              : index == 1 ? at + step
+                                           : clamp(events[max(index - 2, 0)], at, at + step);
+                vec2 found = mirrorballCapture_extentAt(view, edge, place);
+                if (found.x <= found.y)
+                    extent = vec2(min(extent.x, found.x), max(extent.y, found.y));
+            }
+            // Only now cut to the layer: between two places beyond it, on either side, the outline may cross it.
+            extent = vec2(max(extent.x, 0.0), min(extent.y, 1.0));
+#if MIRRORBALL_OCTAHEDRAL
+            mirrorballCapture_narrowToView(view, at, at + step, extent);
+#endif
         }
         vec2 both = vec2(min(before.x, extent.x), max(before.y, extent.y));
         vec2 low, high;
@@ -111,5 +135,16 @@ void mirrorballCapture_coverStrips(int view, vec3 edge[3], float first, float la
         cover.corner[2 * strip + 1] = high;
         before = extent;
     }
-    cover.count = seen ? 2 * MIRRORBALL_STRIPS + 2 : 0;
+    cover.count = seen && first < last ? 2 * MIRRORBALL_STRIPS + 2 : 0;
+}
+
+// The triangle's edges and, where its vertices lie within a quarter turn of their mean, the plane square to that.
+void mirrorballCapture_boundingPlanes(vec3 vertex[3], vec3 edge[3], out vec3 planes[4])
+{
+    vec3 a = normalize(vertex[0]);
+    vec3 b = normalize(vertex[1]);
+    vec3 c = normalize(vertex[2]);
+    vec3 mean = a + b + c;
+    bool within = min(min(dot(a, mean), dot(b, mean)), dot(c, mean)) > 0.0;
+    planes = vec3[4](edge[0], edge[1], edge[2], within ? mean : edge[0]);
 }

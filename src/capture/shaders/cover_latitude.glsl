@@ -18,32 +18,27 @@ float mirrorballCapture_acrossOfTangent(float tangent)
     return mirrorballCapture_squareFromDirection(0, direction).MIRRORBALL_ACROSS;
 }
 
-// The side of an edge's plane as a bound of latitude at each longitude: tan(latitude) >= -(m.x sin + m.z cos) / m.y for
-// m.y > 0, <= for m.y < 0; the sinusoid's largest value in the strip gives the widest extent.
-void mirrorballCapture_narrow(int view, vec3 edge, float from, float to, inout vec2 extent)
+// Half turns of longitude at a place along, 0 at +z.
+float mirrorballCapture_halfTurns(float along)
+{
+    return (along - 0.5) * (2.0 / MIRRORBALL_PERIOD);
+}
+
+// The side of an edge's plane as a bound of latitude: tan(latitude) >= -(m.x sin + m.z cos) / m.y for m.y > 0, <= for
+// m.y < 0, with sine and cosine of the longitude.
+void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
 {
     vec3 m = mirrorballCapture_local(view, edge);
-    vec2 longitude = (vec2(from, to) - 0.5) * (6.2831853 / MIRRORBALL_PERIOD);
-    vec2 s = sin(longitude);
-    vec2 c = cos(longitude);
-    vec2 ends = m.x * s + m.z * c;
-    vec2 slope = m.x * c - m.z * s;
-    float amplitude = length(m.xz);
-    // A strip spans less than half a turn, so it holds the peak just where the slopes at its ends say so.
-    float largest = slope.x > 0.0 && slope.y < 0.0 ? amplitude : max(ends.x, ends.y);
-    // sin and cos may be off by 2^-11.
-    largest += 2e-3 * amplitude + 1e-6 * abs(m.y);
-    float bound = mirrorballCapture_acrossOfTangent(-largest / (abs(m.y) > 1e-30 ? m.y : 1e-30));
+    float halfTurns = mirrorballCapture_halfTurns(at);
+    float rise = m.x * mirrorballCapture_sinPi(halfTurns) + m.z * mirrorballCapture_cosPi(halfTurns);
+    rise += 1e-5 * length(m);
+    float bound = mirrorballCapture_acrossOfTangent(-rise / (abs(m.y) > 1e-30 ? m.y : 1e-30));
 #if MIRRORBALL_EQUIRECTANGULAR
     bool isLow = m.y < 0.0; // north comes first
 #else
     bool isLow = m.y >= 0.0;
 #endif
     extent = isLow ? vec2(max(extent.x, bound), extent.y) : vec2(extent.x, min(extent.y, bound));
-}
-
-void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 extent)
-{
 }
 
 // A pole in the triangle, or so near that rounding could tell it wrong; side is +1 or -1.
@@ -91,5 +86,16 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
         first = 0.0;
         last = 1.0;
     }
-    mirrorballCapture_coverStrips(view, edge, max(first, 0.0), min(last, 1.0), cover);
+    // Vertices, and the two places where an edge's circle is highest and lowest.
+    float events[9];
+    for (int k = 0; k < 3; ++k) {
+        vec3 m = mirrorballCapture_local(view, edge[k]);
+        float peak = mirrorballCapture_atan2Pi(m.x, m.z) * 0.5 * MIRRORBALL_PERIOD + 0.5;
+        events[3 * k] = along[k] - MIRRORBALL_PERIOD * floor((along[k] - 0.5) / MIRRORBALL_PERIOD + 0.5);
+        events[3 * k + 1] = peak;
+        events[3 * k + 2] = peak + (peak > 0.5 ? -0.5 : 0.5) * MIRRORBALL_PERIOD;
+    }
+    vec3 planes[4];
+    mirrorballCapture_boundingPlanes(vertex, edge, planes);
+    mirrorballCapture_coverStrips(view, planes, events, max(first, 0.0), min(last, 1.0), cover);
 }

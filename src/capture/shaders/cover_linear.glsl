@@ -15,40 +15,45 @@ vec2 mirrorballCapture_texelFromStraight(vec2 p)
     return square * mirrorballCapture_size;
 }
 
-// The line's side as a bound of x in the strip between two values of y, all straight.
-void mirrorballCapture_narrowByLine(vec3 line, vec2 y, inout vec2 extent)
-{
-    float largest = max(line.y * y.x, line.y * y.y) + line.z + 1e-5 * length(line);
-    float bound = clamp(-largest / (abs(line.x) > 1e-30 ? line.x : 1e-30), -2.0, 2.0);
-    bound = mirrorballCapture_texelFromStraight(vec2(bound, 0.0)).x / mirrorballCapture_size.x;
-    extent = line.x >= 0.0 ? vec2(max(extent.x, bound), extent.y) : vec2(extent.x, min(extent.y, bound));
-}
-
-vec2 mirrorballCapture_straightFromSquare(vec2 square)
+float mirrorballCapture_straightFromSquare(float square)
 {
 #if MIRRORBALL_EQUI_ANGULAR_CUBE
-    // tan may be off by some 2^-10: a strip reaches that much over its borders.
-    return tan((square - 0.5) * 1.5707963) + vec2(-2e-3, 2e-3);
+    float halfTurns = 0.5 * square - 0.25;
+    return mirrorballCapture_sinPi(halfTurns) / mirrorballCapture_cosPi(halfTurns);
 #else
     return 2.0 * square - 1.0;
 #endif
 }
 
-void mirrorballCapture_narrow(int view, vec3 edge, float from, float to, inout vec2 extent)
+void mirrorballCapture_narrowByLine(vec3 line, float y, inout vec2 extent)
 {
-    mirrorballCapture_narrowByLine(mirrorballCapture_lineFromDirection[view] * edge,
-                                   mirrorballCapture_straightFromSquare(vec2(from, to)), extent);
+    float rise = line.y * y + line.z + 1e-5 * length(line);
+    float bound = clamp(-rise / (abs(line.x) > 1e-30 ? line.x : 1e-30), -2.0, 2.0);
+    bound = mirrorballCapture_texelFromStraight(vec2(bound, 0.0)).x / mirrorballCapture_size.x;
+    extent = line.x >= 0.0 ? vec2(max(extent.x, bound), extent.y) : vec2(extent.x, min(extent.y, bound));
 }
 
+void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
+{
+    mirrorballCapture_narrowByLine(mirrorballCapture_lineFromDirection[view] * edge,
+                                   mirrorballCapture_straightFromSquare(at), extent);
+}
+
+#if MIRRORBALL_OCTAHEDRAL
+// An octant is a triangle of the layer: |x| + |y| <= 1 with the octant's signs in the upper half, >= 1 in the lower.
 void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 extent)
 {
-#if MIRRORBALL_OCTAHEDRAL
-    vec3 signs = vec3((view & 1) == 0 ? 1.0 : -1.0, (view & 2) == 0 ? 1.0 : -1.0, (view & 4) == 0 ? 1.0 : -1.0);
-    mirrorballCapture_narrow(view, vec3(signs.x, 0.0, 0.0), from, to, extent);
-    mirrorballCapture_narrow(view, vec3(0.0, signs.y, 0.0), from, to, extent);
-    mirrorballCapture_narrow(view, vec3(0.0, 0.0, signs.z), from, to, extent);
-#endif
+    vec2 signs = vec2((view & 1) == 0 ? 1.0 : -1.0, (view & 2) == 0 ? 1.0 : -1.0);
+    vec2 y = signs.y * (2.0 * vec2(from, to) - 1.0);
+    float nearest = min(y.x, y.y);
+    float farthest = max(y.x, y.y);
+    vec2 x = (view & 4) == 0 ? vec2(0.0, 1.0 - max(nearest, 0.0)) : vec2(1.0 - min(farthest, 1.0), 1.0);
+    x = 0.5 * signs.x * x + 0.5;
+    extent = vec2(max(extent.x, min(x.x, x.y)), min(extent.y, max(x.x, x.y)));
+    if (farthest < 0.0)
+        extent = vec2(20.0, -20.0);
 }
+#endif
 
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
@@ -79,5 +84,14 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
         first = clamp(min(min(p[0].y, p[1].y), p[2].y) / mirrorballCapture_size.y, 0.0, 1.0);
         last = clamp(max(max(p[0].y, p[1].y), p[2].y) / mirrorballCapture_size.y, 0.0, 1.0);
     }
-    mirrorballCapture_coverStrips(view, edge, first, last, cover);
+    // Vertices, as far as they lie in front.
+    float events[3] = float[3](0.5, 0.5, 0.5);
+    for (int k = 0; k < 3; ++k) {
+        vec3 local = mirrorballCapture_clipFromDirection[view] * vertex[k];
+        if (local.z > 1e-4 * length(vertex[k]))
+            events[k] = mirrorballCapture_texelFromStraight(clamp(local.xy / local.z, -2.0, 2.0)).y / mirrorballCapture_size.y;
+    }
+    vec3 planes[4];
+    mirrorballCapture_boundingPlanes(vertex, edge, planes);
+    mirrorballCapture_coverStrips(view, planes, events, first, last, cover);
 }

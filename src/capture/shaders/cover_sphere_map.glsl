@@ -1,9 +1,5 @@
 // The sphere map has no bound of a large triangle but the whole layer.
-void mirrorballCapture_narrow(int view, vec3 edge, float from, float to, inout vec2 extent)
-{
-}
-
-void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 extent)
+void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
 {
 }
 
@@ -24,5 +20,5 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
         mirrorballCapture_coverTriangle(p, chord * chord * MIRRORBALL_SAG, cover);
         return;
     }
-    mirrorballCapture_coverStrips(view, edge, 0.0, 1.0, cover);
+    mirrorballCapture_coverStrips(view, vec3[4](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)), float[1](0.0), 0.0, 1.0, cover);
 }

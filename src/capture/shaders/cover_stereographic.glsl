@@ -7,40 +7,33 @@ vec3 mirrorballCapture_local(int view, vec3 v)
     return vec3(v.xy, view == 0 ? -v.z : v.z);
 }
 
-void mirrorballCapture_narrow(int view, vec3 edge, float from, float to, inout vec2 extent)
+void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
 {
     vec3 m = mirrorballCapture_local(view, edge);
     float size = length(m);
-    vec2 b = 2.0 * vec2(from, to) - 1.0;
+    float b = 2.0 * at - 1.0;
     vec2 range = 2.0 * extent - 1.0;
     if (abs(m.z) < 0.01 * size) {
         // Nearly the straight line m.x a + m.y b = 0; the circle departs from it by less than (1 + 1) * 0.01 / 2 here.
-        float largest = max(m.y * b.x, m.y * b.y) + 0.02 * size;
-        float bound = -largest / (abs(m.x) > 1e-30 ? m.x : 1e-30);
+        float bound = -(m.y * b + 0.02 * size) / (abs(m.x) > 1e-30 ? m.x : 1e-30);
         range = m.x >= 0.0 ? vec2(max(range.x, bound), range.y) : vec2(range.x, min(range.y, bound));
     } else {
         vec2 centre = m.xy / m.z;
-        float radius = size / abs(m.z);
-        float nearest = clamp(centre.y, b.x, b.y) - centre.y;
-        float farthest = max(abs(b.x - centre.y), abs(b.y - centre.y));
+        float squared = size * size / (m.z * m.z);
+        float reach = squared - (b - centre.y) * (b - centre.y);
         if (m.z > 0.0) {
-            float reach = radius * radius * 1.0001 - nearest * nearest;
-            float chord = sqrt(max(reach, 0.0));
-            range = reach < 0.0 ? vec2(2.0, -2.0)
-                                : vec2(max(range.x, centre.x - chord), min(range.y, centre.x + chord));
+            float chord = sqrt(max(reach + 1e-4 * squared, 0.0));
+            range = reach < -1e-4 * squared ? vec2(40.0, -40.0)
+                                            : vec2(max(range.x, centre.x - chord), min(range.y, centre.x + chord));
         } else {
-            // Outside the circle: what its narrowest chord in the strip takes away at either end.
-            float chord = sqrt(max(radius * radius * 0.9999 - farthest * farthest, 0.0));
+            // Outside the circle: what its chord takes away at either end.
+            float chord = sqrt(max(reach - 1e-4 * squared, 0.0));
             vec2 ends = centre.x + vec2(-chord, chord);
             range.x = range.x > ends.x ? max(range.x, ends.y) : range.x;
             range.y = range.y < ends.y ? min(range.y, ends.x) : range.y;
         }
     }
-    extent = 0.5 * range + 0.5 + vec2(-1e-4, 1e-4);
-}
-
-void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 extent)
-{
+    extent = 0.5 * range + 0.5;
 }
 
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
@@ -61,5 +54,17 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
         mirrorballCapture_coverTriangle(p, 0.127 * chord * chord * middle.x, cover);
         return;
     }
-    mirrorballCapture_coverStrips(view, edge, 0.0, 1.0, cover);
+    // Vertices, and where an edge's circle is widest or ends.
+    float events[12];
+    for (int k = 0; k < 3; ++k) {
+        vec3 m = mirrorballCapture_local(view, edge[k]);
+        float z = abs(m.z) > 1e-12 ? m.z : 1e-12;
+        events[4 * k] = 0.5 * p[k].y + 0.5;
+        events[4 * k + 1] = 0.5 * m.y / z + 0.5;
+        events[4 * k + 2] = events[4 * k + 1] + 0.5 * length(m) / z;
+        events[4 * k + 3] = events[4 * k + 1] - 0.5 * length(m) / z;
+    }
+    vec3 planes[4];
+    mirrorballCapture_boundingPlanes(vertex, edge, planes);
+    mirrorballCapture_coverStrips(view, planes, events, 0.0, 1.0, cover);
 }

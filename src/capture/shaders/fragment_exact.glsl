@@ -18,6 +18,8 @@ void main()
     // Positions hit in proportion to these weights: perspective-correct without a projection.
     vec3 weight = inside / (inside.x + inside.y + inside.z);
     float radius = mirrorballCapture_plane.w / dot(mirrorballCapture_plane.xyz, direction);
+    bool hit = (all(greaterThanEqual(inside, vec3(0.0))) || all(lessThanEqual(inside, vec3(0.0)))) &&
+               radius >= mirrorballCapture_range.x && radius <= mirrorballCapture_range.y;
     MIRRORBALL_READ_VARYINGS
 #if MIRRORBALL_READS_FRONT_FACING
     mirrorballCapture_hostFrontFacing = mirrorballCapture_plane.w < 0.0;
@@ -26,9 +28,8 @@ void main()
     mirrorballCapture_hostPrimitiveID = mirrorballCapture_numbers.x;
 #endif
     mirrorballCapture_hostMain();
-    bool hit = all(greaterThanEqual(inside, vec3(0.0))) || all(lessThanEqual(inside, vec3(0.0)));
     // After the host's main, so that its texture look-ups have derivatives everywhere.
-    if (!hit || !(radius >= mirrorballCapture_range.x && radius <= mirrorballCapture_range.y))
+    if (!hit)
         discard;
     gl_FragDepth = mirrorballCapture_depth.x + mirrorballCapture_depth.y / radius;
     mirrorballCapture_distance = radius;
