@@ -21,11 +21,12 @@ picture() {
 
 mkdir -p pictures
 
-# (1) The teapot and a sphere as mirrors in the garden, each with a probe of its own.
-picture garden builtin:garden --reflector teapot --scale 0.45 --at=-0.7,-1.25,0 --reflector sphere:0.8 --at 1.5,-1.2,-0.6 \
-    --eye 1.2,0.6,5.2 --look 0.3,-1,0 --fov 35 --pixels 1280x720
+# (1) A teapot and a golden sphere as mirrors in the garden, each with a probe of its own.
+picture garden builtin:garden --reflector teapot --scale 0.5 --at -0.8,-1.19,0.4 \
+    --reflector sphere:1 --at 1.75,-0.98,-0.6 --tint 1,0.82,0.52 \
+    --eye 2.2,0.5,7.6 --look 0.25,-0.7,0 --fov 30 --pixels 1280x720 --supersample 3 --frames 9
 
-# (2) The bunny as a mirror in the living room of a house.
+# (2) A golden bunny as a mirror in the living room of a house.
 picture house_bunny /usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc --reflector /usr/share/glmark2/models/bunny.obj \
-    --scale 0.7 --at 4.25,0.7,-2.4 --eye 1.9,1.5,-1.4 --look 4.25,0.75,-2.4 --fov 45 --pixels 1280x720 \
-    --light 3,2.2,-3.5
+    --scale 0.7 --at 4.25,0.7,-2.4 --tint 1,0.84,0.55 --eye 1.9,1.4,-1.4 --look 4.25,0.8,-2.4 --fov 45 \
+    --light 3,2.2,-3.5 --pixels 1280x720 --supersample 3 --frames 9

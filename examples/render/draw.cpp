@@ -12,6 +12,8 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
+#include <functional>
+#include <optional>
 
 namespace render {
 
@@ -30,13 +32,13 @@ bool hasClipControl()
 // Depth is near / distance: floats are dense where that is small, so a near plane very close to the eye costs
 // no precision, and no far plane is needed. Without clip control depth has to pass through [-1, 1], which
 // keeps only 24 bits, and the near plane moves out.
-PictureView pictureView(const Setup& setup)
+PictureView pictureView(const Setup& setup, const glm::ivec2& size)
 {
     const Camera& camera = setup.camera;
     const double near = setup.farthest * (hasClipControl() ? 1e-6 : 1e-3);
     const glm::dvec3 eye = camera.eye - setup.origin;
     const glm::dmat4 viewFromWorld = glm::lookAt(eye, camera.look - setup.origin, camera.up);
-    const double aspect = static_cast<double>(camera.samples.x) / camera.samples.y;
+    const double aspect = static_cast<double>(size.x) / size.y;
     const double tangent = std::tan(0.5 * camera.fovInRadians);
     glm::dmat4 clipFromView(0.0);
     clipFromView[0][0] = 1.0 / (tangent * aspect);
@@ -47,7 +49,7 @@ PictureView pictureView(const Setup& setup)
 
     const glm::dmat3 worldFromView = glm::transpose(glm::dmat3(viewFromWorld));
     const glm::dvec2 cotangents(1.0 / (tangent * aspect), 1.0 / tangent);
-    const glm::dvec2 step = 2.0 / (cotangents * glm::dvec2(camera.samples));
+    const glm::dvec2 step = 2.0 / (cotangents * glm::dvec2(size));
     const glm::dmat3 rayFromPixel =
         worldFromView * glm::dmat3(glm::dvec3(step.x, 0.0, 0.0), glm::dvec3(0.0, step.y, 0.0),
                                    glm::dvec3(-1.0 / cotangents.x, -1.0 / cotangents.y, -1.0));
@@ -75,15 +77,23 @@ class Renderer
 {
 public:
     Renderer(const Setup& setup, const Options& options)
-        : setup_(setup), options_(options), view_(pictureView(setup)), target_(setup.camera.samples),
-          scene_(setup.scene, setup.origin),
+        : setup_(setup), options_(options), scene_(setup.scene, setup.origin),
           sceneProgram_(linkProgram(phongVertexSource(), pictureFragmentSource(options.view))),
           captureProgram_({.name = "phong",
                            .vertexSource = phongVertexSource(),
                            .fragmentSource = phongFragmentSource(View::colour)})
     {
+        resize(options.pixels);
         for (const Mirror& mirror : setup.mirrors)
             addMirror(mirror);
+    }
+
+    // Makes the picture that is drawn from now on so large.
+    void resize(const glm::ivec2& size)
+    {
+        size_ = size;
+        view_ = pictureView(setup_, size);
+        target_.emplace(size);
     }
 
     // The maps; what they hold together.
@@ -105,7 +115,7 @@ public:
     // The picture.
     void draw() const
     {
-        target_.clear(setup_.scene.background);
+        target_->clear(setup_.scene.background);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         if (hasClipControl())
@@ -129,8 +139,9 @@ private:
 
     const Setup& setup_;
     const Options& options_;
+    glm::ivec2 size_{0};
     PictureView view_;
-    GlTarget target_;
+    std::optional<GlTarget> target_;
     GlScene scene_;
     mirrorball::gl::Program sceneProgram_;
     mirrorball::CaptureProgram captureProgram_;
@@ -209,9 +220,9 @@ Sample Renderer::sampleOf(const glm::vec4& colour, float distance, int reflector
 
 Picture Renderer::picture() const
 {
-    Picture picture{setup_.camera.samples, {}, {}};
-    const std::vector<glm::vec4> colours = target_.colour();
-    const std::vector<glm::vec2> others = target_.distanceAndReflector();
+    Picture picture{size_, {}, {}};
+    const std::vector<glm::vec4> colours = target_->colour();
+    const std::vector<glm::vec2> others = target_->distanceAndReflector();
     for (int row = picture.size.y - 1; row >= 0; --row)
         for (int column = 0; column < picture.size.x; ++column) {
             const std::size_t index =
@@ -224,44 +235,62 @@ Picture Renderer::picture() const
     return picture;
 }
 
+// Wall and CPU times of one pass over several frames.
+struct Times
+{
+    std::vector<double> wall, cpu;
+
+    void measure(const std::function<void()>& pass)
+    {
+        Stopwatch watch;
+        pass();
+        wall.push_back(watch.wallMilliseconds());
+        cpu.push_back(watch.cpuMilliseconds());
+    }
+    void addTo(Stats& stats, const std::string& name) const
+    {
+        stats.add(name + "_wall_ms", median(wall));
+        stats.add(name + "_cpu_ms", median(cpu));
+    }
+};
+
+// Draws so many frames; what the last capture did.
+mirrorball::CaptureReport measureFrames(Renderer& renderer, int frames, Stats& stats)
+{
+    renderer.capture(); // compiles what it needs
+    renderer.draw();
+    mirrorball::CaptureReport report;
+    Times pass1, pass2, frame;
+    for (int count = 0; count < frames; ++count) {
+        pass1.measure([&] { report = renderer.capture(); });
+        pass2.measure([&] { renderer.draw(); });
+        frame.wall.push_back(pass1.wall.back() + pass2.wall.back());
+        frame.cpu.push_back(pass1.cpu.back() + pass2.cpu.back());
+    }
+    pass1.addTo(stats, "pass1");
+    pass2.addTo(stats, "pass2");
+    frame.addTo(stats, "frame");
+    stats.add("frames_per_second", 1e3 / median(frame.wall));
+    return report;
+}
+
 } // namespace
 
 Picture drawPicture(const Setup& setup, const Options& options, Stats& stats)
 {
     const mirrorball::headless::Context context;
-    Renderer renderer(setup, options);
-    mirrorball::CaptureReport report = renderer.capture(); // compiles what it needs
-    renderer.draw();
-    struct Times
-    {
-        std::vector<double> wall, cpu;
-    } pass1, pass2, frame;
-    const auto time = [](Times& times, const auto& pass) {
-        Stopwatch watch;
-        pass();
-        times.wall.push_back(watch.wallMilliseconds());
-        times.cpu.push_back(watch.cpuMilliseconds());
-    };
-    for (int k = 0; k < options.frames; ++k) {
-        time(pass1, [&] { report = renderer.capture(); });
-        time(pass2, [&] { renderer.draw(); });
-        frame.wall.push_back(pass1.wall.back() + pass2.wall.back());
-        frame.cpu.push_back(pass1.cpu.back() + pass2.cpu.back());
-    }
     stats.add("driver", context.description());
-    const auto add = [&](const std::string& name, const Times& times) {
-        stats.add(name + "_wall_ms", median(times.wall));
-        stats.add(name + "_cpu_ms", median(times.cpu));
-    };
-    add("pass1", pass1);
-    add("pass2", pass2);
-    add("frame", frame);
-    stats.add("frames_per_second", 1e3 / median(frame.wall));
+    Renderer renderer(setup, options);
+    const mirrorball::CaptureReport report = measureFrames(renderer, options.frames, stats);
     stats.add("draws", report.draws);
     stats.add("draws_culled", report.drawsCulled);
     stats.add("triangles", static_cast<double>(report.triangles));
     stats.add("scene_triangles", static_cast<double>(renderer.triangleCount()));
     stats.add("texels", static_cast<double>(report.texels));
+    if (options.supersample > 1) {
+        renderer.resize(setup.camera.samples);
+        renderer.draw();
+    }
     return renderer.picture();
 }
 

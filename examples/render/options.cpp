@@ -112,7 +112,8 @@ void CommandLine::addCameraOptions(CLI::App& app)
     addVector(app, "--up", options_.up, "upwards in the picture");
     addNumber(app, "--fov", options_.fov, "vertical field of view in degrees");
     addSize(app, "--pixels", options_.pixels, "size of the picture");
-    addInteger(app, "--supersample", options_.supersample, "k by k samples a pixel");
+    addInteger(app, "--supersample", options_.supersample,
+               "k by k samples a pixel in what is written; times are those of one");
 }
 
 void CommandLine::beginReflector(const std::string& shape)
