@@ -208,11 +208,13 @@ public:
     {
         std::string text(isExact() ? shaders::geometryExact : shaders::geometryAll);
         replaceAll(text, "MIRRORBALL_VARYINGS", isExact() ? exactVaryings() : copiedVaryings());
-        const std::string head = host_.vertex.versionLine() + defines_ + map_;
+        const std::string head =
+            host_.vertex.versionLine() + "#extension GL_ARB_gpu_shader5 : enable\n" + defines_ + map_;
         if (!isExact())
             return head + project() + text;
         // The covering polygons are functions; they come before main and after the declarations of layouts.
-        return head + std::string(shaders::coverCommon) + std::string(coverShader(variant_.map)) + text;
+        return head + std::string(shaders::coverCommon) + std::string(coverShader(variant_.map)) +
+               std::string(shaders::trianglePlane) + text;
     }
 
     std::string fragment() const

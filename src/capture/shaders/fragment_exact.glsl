@@ -6,7 +6,7 @@ uniform vec2 mirrorballCapture_depth; // depth = x + y / distance
 flat in vec3 mirrorballCapture_edge0;
 flat in vec3 mirrorballCapture_edge1;
 flat in vec3 mirrorballCapture_edge2;
-flat in vec4 mirrorballCapture_plane;
+flat in vec4 mirrorballCapture_trianglePlane;
 flat in ivec2 mirrorballCapture_numbers; // of the primitive and the layer
 out float mirrorballCapture_distance;
 
@@ -17,12 +17,12 @@ void main()
                        dot(direction, mirrorballCapture_edge2));
     // Positions hit in proportion to these weights: perspective-correct without a projection.
     vec3 weight = inside / (inside.x + inside.y + inside.z);
-    float radius = mirrorballCapture_plane.w / dot(mirrorballCapture_plane.xyz, direction);
+    float radius = mirrorballCapture_trianglePlane.w / dot(mirrorballCapture_trianglePlane.xyz, direction);
     bool hit = (all(greaterThanEqual(inside, vec3(0.0))) || all(lessThanEqual(inside, vec3(0.0)))) &&
                radius >= mirrorballCapture_range.x && radius <= mirrorballCapture_range.y;
     MIRRORBALL_READ_VARYINGS
 #if MIRRORBALL_READS_FRONT_FACING
-    mirrorballCapture_hostFrontFacing = mirrorballCapture_plane.w < 0.0;
+    mirrorballCapture_hostFrontFacing = mirrorballCapture_trianglePlane.w < 0.0;
 #endif
 #if MIRRORBALL_READS_PRIMITIVE_ID
     mirrorballCapture_hostPrimitiveID = mirrorballCapture_numbers.x;

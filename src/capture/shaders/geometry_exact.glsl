@@ -11,7 +11,7 @@ uniform bool mirrorballCapture_cullBackFaces;
 flat out vec3 mirrorballCapture_edge0;
 flat out vec3 mirrorballCapture_edge1;
 flat out vec3 mirrorballCapture_edge2;
-flat out vec4 mirrorballCapture_plane; // of the triangle: xyz . position = w
+flat out vec4 mirrorballCapture_trianglePlane; // of the triangle: xyz . position = w
 flat out ivec2 mirrorballCapture_numbers; // of the primitive and the layer
 // The host's varyings at the three vertices.
 MIRRORBALL_VARYINGS
@@ -39,7 +39,7 @@ void mirrorballCapture_emit(int view, vec3 vertex[3], vec3 edge[3], vec4 plane)
         mirrorballCapture_edge0 = edge[0];
         mirrorballCapture_edge1 = edge[1];
         mirrorballCapture_edge2 = edge[2];
-        mirrorballCapture_plane = plane;
+        mirrorballCapture_trianglePlane = plane;
         mirrorballCapture_numbers = ivec2(gl_PrimitiveIDIn, MIRRORBALL_LAYER(view));
         mirrorballCapture_copyVaryings();
         gl_Position = vec4(2.0 * cover.corner[index] / mirrorballCapture_size - 1.0, 0.0, 1.0);
@@ -61,22 +61,16 @@ void main()
         if (!all(lessThan(abs(vertex[corner]), vec3(1e12))))
             return;
     }
-    vec3 normal = cross(vertex[1] - vertex[0], vertex[2] - vertex[0]);
-    // The nearest vertex loses least in the sum.
-    vec3 squared = vec3(dot(vertex[0], vertex[0]), dot(vertex[1], vertex[1]), dot(vertex[2], vertex[2]));
-    vec3 nearest = squared.x <= squared.y && squared.x <= squared.z ? vertex[0]
-                   : squared.y <= squared.z                         ? vertex[1]
-                                                                    : vertex[2];
-    float offset = dot(normal, nearest);
+    vec4 plane = mirrorballCapture_plane(vertex[0], vertex[1], vertex[2]);
     // Seen edge-on, or without area: it covers no direction.
-    if (offset == 0.0 || (mirrorballCapture_cullBackFaces && offset > 0.0))
+    if (plane.w == 0.0 || (mirrorballCapture_cullBackFaces && plane.w > 0.0))
         return;
     for (int corner = 0; corner < 3; ++corner)
         edge[corner] = mirrorballCapture_edgeNormal(vertex[(corner + 1) % 3], vertex[(corner + 2) % 3]);
 #if MIRRORBALL_ALL_AT_ONCE
     for (int view = 0; view < MIRRORBALL_VIEWS; ++view)
-        mirrorballCapture_emit(view, vertex, edge, vec4(normal, offset));
+        mirrorballCapture_emit(view, vertex, edge, plane);
 #else
-    mirrorballCapture_emit(mirrorballCapture_view, vertex, edge, vec4(normal, offset));
+    mirrorballCapture_emit(mirrorballCapture_view, vertex, edge, plane);
 #endif
 }
