@@ -16,8 +16,8 @@ constexpr LibraryMethod methods[] = {
     {"automatic", CaptureMethod::automatic, LayerOrder::oneAtATime},
     {"exact", CaptureMethod::exact, LayerOrder::oneAtATime},
     {"perVertex", CaptureMethod::perVertex, LayerOrder::oneAtATime},
-    {"exact, all at once", CaptureMethod::exact, LayerOrder::allAtOnce},
-    {"perVertex, all at once", CaptureMethod::perVertex, LayerOrder::allAtOnce},
+    {"exact-all-at-once", CaptureMethod::exact, LayerOrder::allAtOnce},
+    {"perVertex-all-at-once", CaptureMethod::perVertex, LayerOrder::allAtOnce},
 };
 
 class LibraryContender : public Contender

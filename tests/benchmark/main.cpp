@@ -16,14 +16,17 @@ using namespace tests::benchmark;
 
 constexpr int fullFrames = 30;
 constexpr int quickFrames = 8;
+// All contenders of a scene are in memory at once: at this size some 10 GB.
+constexpr int largestN = 2048;
 
 void requireAllowed(const Options& options)
 {
-    // The cube's faces are 2D textures; every driver has 16384 texels or refuses the map with its limit.
     for (const int size : options.sizes)
-        if (size < 1 || size > 16384)
+        if (size < 1 || size > largestN)
             throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--size " + std::to_string(size),
-                                    "a map has 1 to 16384 texels across", "ask for a size in that range");
+                                    "the benchmark draws cubes of 1 to " + std::to_string(largestN) +
+                                        " texels across",
+                                    "ask for a size in that range");
     if (options.frames < 1)
         throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--frames", "it is less than 1",
                                 "give 1 or more");

@@ -40,12 +40,13 @@ struct Measure
     const char* axis;
     bool isLogarithmic;
     double mostWrongPercent; // of the maps that are shown
+    const char* note;        // what the title says of that
     std::function<double(const Row&)> of;
 };
 
 const Measure measures[] = {
     {"wrong_texels", "wrong texels, %", true, 100.0, [](const Row& row) { return row.errors->wrongPercent; }},
-    {"worst_texel", "widest texel, degrees, of maps with at most 0.1 % wrong texels", false, 0.1,
+    {"worst_texel", "widest texel, degrees", false, 0.1, ", maps with at most 0.1 % wrong",
      [](const Row& row) { return glm::degrees(row.measures.worstDiagonal); }},
 };
 
@@ -198,7 +199,7 @@ private:
         const Row& row = *points_.front().row;
         drawing_.text({fieldLow.x, 30},
                       std::string(row.group.scene->name) + ", " + std::to_string(row.sceneTriangles) +
-                          " triangles, cube n = " + std::to_string(row.group.cubeN),
+                          " triangles, cube n = " + std::to_string(row.group.cubeN) + measure_.note,
                       titleSize);
     }
 
@@ -283,7 +284,7 @@ std::vector<std::string> writePlots(const std::filesystem::path& folder, const s
             std::vector<Point> points;
             for (const Row& row : rows)
                 if (row.group.scene == scene && row.group.cubeN == cubeN && !row.group.cullBackFaces &&
-                    row.errors)
+                    row.errors && row.errors->wrongPercent <= measure.mostWrongPercent)
                     points.push_back({row.cpuRatio, measure.of(row), &row});
             const ParetoPlot plot(measure, points);
             names.push_back(std::string(scene->name) + "_" + measure.name);
