@@ -154,6 +154,14 @@ int cornersOf(const CaptureProgram::Implementation& host, const Variant& variant
     return variant.path == Path::exact ? 2 * stripsOf(host, variant) + 2 : 3;
 }
 
+// Whether clip distances cut off what lies outside a view: a cube face is cut by its own frustum, a mapped
+// mesh is known to lie within the chart, and exact capture tests every texel.
+bool cuts(const Variant& variant)
+{
+    return variant.path == Path::textbook ||
+           (variant.path == Path::linear && variant.map == MapKind::octahedral);
+}
+
 // What the shaders' #if lines ask.
 std::string defines(const CaptureProgram::Implementation& host, const Variant& variant)
 {
@@ -174,7 +182,7 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("TEXTBOOK_DUAL_PARABOLOID", textbook && variant.map == MapKind::dualParaboloid) +
            define("CLIPS_RANGE", variant.path == Path::linear) +
            define("DROPS_SMEAR", variant.path == Path::textbook && wraps) +
-           define("PERSPECTIVE", variant.path == Path::mapped) +
+           define("PERSPECTIVE", variant.path == Path::mapped) + define("CUTS", cuts(variant)) +
            define("ALL_AT_ONCE", variant.layers == LayerOrder::allAtOnce) + coverDefines(variant.map);
 }
 
@@ -184,7 +192,7 @@ class Assembly
 public:
     Assembly(const CaptureProgram::Implementation& host, const Variant& variant)
         : host_(host), variant_(variant), defines_(defines(host, variant)),
-          map_(mapGlsl(variant.map, GlslVersion::glsl330, prefix))
+          map_(mapGlsl(variant.map, GlslVersion::glsl330, prefix, GlslInputs::regular))
     {
     }
 
@@ -358,7 +366,7 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     result.lineFromDirection = location("lineFromDirection");
     result.cullBackFaces = location("cullBackFaces");
     result.writesDepth = variant.path == Path::exact;
-    result.usesClipDistances = !result.writesDepth && variant.map != MapKind::cube;
+    result.usesClipDistances = cuts(variant);
     return result;
 }
 

@@ -32,8 +32,8 @@ Vec3<Recorded> vec3Variable(const std::string& name)
 class FunctionPrinter
 {
 public:
-    FunctionPrinter(GlslVersion version, const std::string& prefix)
-        : prefix_(prefix), precision_(version == GlslVersion::es300 ? "highp " : "")
+    FunctionPrinter(GlslVersion version, const std::string& prefix, GlslInputs inputs)
+        : prefix_(prefix), precision_(version == GlslVersion::es300 ? "highp " : ""), inputs_(inputs)
     {
     }
 
@@ -70,11 +70,21 @@ public:
         return "    " + precision_ + type + " " + name + " = " + prefix_ + helper + "(" + from + ");\n";
     }
 
+    // The argument made regular, where it may be anything.
+    std::string regularised(const std::string& type, const std::string& helper, const std::string& name,
+                            const std::string& from) const
+    {
+        if (inputs_ == GlslInputs::any)
+            return regularLine(type, helper, name, from);
+        return "    " + precision_ + type + " " + name + " = " + from + ";\n";
+    }
+
     const std::string& prefix() const { return prefix_; }
 
 private:
     std::string prefix_;
     std::string precision_;
+    GlslInputs inputs_;
 };
 
 // ---- What the maps call, each before those that it is called by ------------------------------------
@@ -155,7 +165,7 @@ std::string componentOfFunction(const FunctionPrinter& print)
     if constexpr (Map::info.components == 1)
         return print.function("int", "componentOf", parameters, body);
     return print.function("int", "componentOf", parameters,
-                          print.regularLine("vec3", "regularDirection", "d", "direction") + body);
+                          print.regularised("vec3", "regularDirection", "d", "direction") + body);
 }
 
 template <class Map>
@@ -165,7 +175,7 @@ std::string squareFromDirectionFunction(const FunctionPrinter& print)
     const Vec2<Recorded> uv = Map::squareFromDirection(component, vec3Variable("d"));
     return print.function("vec2", "squareFromDirection",
                           print.parameter("int", "component") + ", " + print.parameter("vec3", "direction"),
-                          print.regularLine("vec3", "regularDirection", "d", "direction") +
+                          print.regularised("vec3", "regularDirection", "d", "direction") +
                               print.returned("vec2", {uv.x.tree, uv.y.tree}));
 }
 
@@ -176,7 +186,7 @@ std::string directionFromSquareFunction(const FunctionPrinter& print)
     const Vec3<Recorded> d = Map::directionFromSquare(component, vec2Variable("p"));
     return print.function("vec3", "directionFromSquare",
                           print.parameter("int", "component") + ", " + print.parameter("vec2", "uv"),
-                          print.regularLine("vec2", "regularSquare", "p", "uv") +
+                          print.regularised("vec2", "regularSquare", "p", "uv") +
                               print.returned("vec3", {d.x.tree, d.y.tree, d.z.tree}));
 }
 
@@ -218,10 +228,10 @@ std::string glslVersionLine(GlslVersion version)
     return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n";
 }
 
-std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix)
+std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix, GlslInputs inputs)
 {
     checkPrefix(prefix);
-    const FunctionPrinter print(version, prefix);
+    const FunctionPrinter print(version, prefix, inputs);
     return visitMap(map, [&](auto formula) {
         using Map = decltype(formula);
         const std::string functions =

@@ -19,6 +19,7 @@ constexpr double atEdge = 1e-5;
 void compare(Exactness& result, const examples::Sample& shown, const examples::Hit& hit)
 {
     ++result.texels;
+    result.shown += std::isinf(shown.distance) ? 0 : 1;
     const bool nothing = std::isinf(shown.distance);
     if (!hit.found && nothing)
         return;
@@ -38,6 +39,7 @@ void compare(Exactness& result, const examples::Sample& shown, const examples::H
 void add(Exactness& total, const Exactness& part)
 {
     total.texels += part.texels;
+    total.shown += part.shown;
     total.wrong += part.wrong;
     total.wrongFarOff += part.wrongFarOff;
     total.holes += part.holes;

@@ -11,12 +11,14 @@ namespace tests {
 struct Exactness
 {
     std::size_t texels = 0;
-    std::size_t wrong =
-        0; // another surface than the trace: neither the triangle nor the distance is the same
-    std::size_t wrongFarOff =
-        0;                 // of these: the trace's ray passes more than 1e-5 rad from an edge of what it hit
-    std::size_t holes = 0; // nothing shown where the trace hits something
+    std::size_t shown = 0; // texels that show anything
+    // Texels with another surface than the trace: neither the triangle nor the distance is the same.
+    std::size_t wrong = 0;
+    // Of these, those whose traced ray passes more than 1e-5 rad from an edge of what it hit.
+    std::size_t wrongFarOff = 0;
+    std::size_t holes = 0;      // nothing shown where the trace hits something
     double worstDistance = 0.0; // relative, over the texels that show the right surface
+
     double wrongPercent() const { return 100.0 * static_cast<double>(wrong) / static_cast<double>(texels); }
 };
 

@@ -8,6 +8,12 @@
 
 namespace mirrorball {
 
+// What the printed functions may be called with.
+enum class GlslInputs {
+    any,    // every direction and every (u, v), with the answers that maps/direction.h defines
+    regular // finite (u, v), and directions of length 1e-15 to 1e15 only: spares the regularisation
+};
+
 enum class GlslVersion { glsl330, glsl400, glsl450, es300 };
 
 // "#version 330 core" and so on, with precision statements for es300, ending in a newline.
@@ -22,6 +28,7 @@ MIRRORBALL_EXPORT std::string glslVersionLine(GlslVersion version);
 //     vec3 <prefix>coordinateFromDirection(vec3 direction)                 (u, v, component), clamped
 // Throws Error, badArgument, for a prefix that GLSL allows no name to begin with.
 MIRRORBALL_EXPORT std::string mapGlsl(MapKind map, GlslVersion version,
-                                      const std::string& prefix = "mirrorball_");
+                                      const std::string& prefix = "mirrorball_",
+                                      GlslInputs inputs = GlslInputs::any);
 
 } // namespace mirrorball

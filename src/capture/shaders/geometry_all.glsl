@@ -3,7 +3,9 @@ layout(triangles) in;
 layout(triangle_strip, max_vertices = MIRRORBALL_VERTICES) out;
 in vec3 mirrorballCapture_vertex[];
 out vec3 mirrorballCapture_position;
+#if MIRRORBALL_CUTS
 out float gl_ClipDistance[3];
+#endif
 // The host's varyings: declarations, and a function that copies those of one vertex.
 MIRRORBALL_VARYINGS
 
@@ -29,9 +31,11 @@ void main()
         for (int corner = 0; corner < 3; ++corner) {
             mirrorballCapture_copyVaryings(corner);
             mirrorballCapture_position = mirrorballCapture_vertex[corner];
+#if MIRRORBALL_CUTS
             gl_ClipDistance[0] = inside[corner].x;
             gl_ClipDistance[1] = inside[corner].y;
             gl_ClipDistance[2] = inside[corner].z;
+#endif
             gl_Position = clip[corner];
             gl_Layer = MIRRORBALL_LAYER(view);
             gl_PrimitiveID = gl_PrimitiveIDIn;
