@@ -45,7 +45,8 @@ struct Measure
 };
 
 const Measure measures[] = {
-    {"wrong_texels", "wrong texels, %", true, 100.0, [](const Row& row) { return row.errors->wrongPercent; }},
+    {"wrong_texels", "wrong texels, %", true, 100.0, "",
+     [](const Row& row) { return row.errors->wrongPercent; }},
     {"worst_texel", "widest texel, degrees", false, 0.1, ", maps with at most 0.1 % wrong",
      [](const Row& row) { return glm::degrees(row.measures.worstDiagonal); }},
 };
