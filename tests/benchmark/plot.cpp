@@ -287,6 +287,8 @@ std::vector<std::string> writePlots(const std::filesystem::path& folder, const s
                 if (row.group.scene == scene && row.group.cubeN == cubeN && !row.group.cullBackFaces &&
                     row.errors && row.errors->wrongPercent <= measure.mostWrongPercent)
                     points.push_back({row.cpuRatio, measure.of(row), &row});
+            if (points.empty())
+                continue;
             const ParetoPlot plot(measure, points);
             names.push_back(std::string(scene->name) + "_" + measure.name);
             plot.drawing().writeSvg(folder / (names.back() + ".svg"));
