@@ -68,6 +68,7 @@ std::vector<Column> columns()
         {"texels", [](const Row& row) { return std::to_string(row.measures.texels); }},
         {"worst_texel_degrees",
          [](const Row& row) { return number(glm::degrees(row.measures.worstDiagonal)); }},
+        {"frames", [](const Row& row) { return std::to_string(row.timing.frames); }},
         time("cpu_ms", &Timing::cpu, &Quartiles::median),
         time("cpu_ms_lower_quartile", &Timing::cpu, &Quartiles::lower),
         time("cpu_ms_upper_quartile", &Timing::cpu, &Quartiles::upper),

@@ -82,7 +82,7 @@ bool isThere(const SceneChoice& scene)
     return scene.source.starts_with("builtin:") || std::filesystem::exists(scene.source);
 }
 
-std::vector<MapKind> mapsAt(int cubeN, bool cullBackFaces, const Options& options)
+std::vector<MapKind> mapsAt(const SceneChoice& scene, int cubeN, bool cullBackFaces, const Options& options)
 {
     if (!options.maps.empty())
         return options.maps;
@@ -91,8 +91,11 @@ std::vector<MapKind> mapsAt(int cubeN, bool cullBackFaces, const Options& option
     if (cullBackFaces || cubeN != mainN)
         return {std::begin(mainMaps), std::end(mainMaps)};
     std::vector<MapKind> all;
+    // Around the sphere map's rim every triangle is bounded by the whole map: seconds a frame in a mere room.
+    const bool hasFewTriangles = scene.name == "cards";
     for (const mirrorball::MapInfo& info : mirrorball::maps())
-        all.push_back(info.kind);
+        if (info.kind != MapKind::sphereMap || hasFewTriangles)
+            all.push_back(info.kind);
     return all;
 }
 
@@ -169,7 +172,7 @@ std::vector<Group> makePlan(const Options& options, std::vector<std::string>& mi
                     continue;
                 Group group{&scene, cubeN, cullBackFaces, false, {}};
                 addRivals(group);
-                for (const MapKind map : mapsAt(cubeN, cullBackFaces, options))
+                for (const MapKind map : mapsAt(scene, cubeN, cullBackFaces, options))
                     addMap(group, map, options);
                 groups.push_back(std::move(group));
             }

@@ -41,6 +41,9 @@ struct Samples
     std::vector<double> wall, cpu, gpu;
 };
 
+constexpr double slowMilliseconds = 1000.0;
+constexpr int slowFrames = 2;
+
 void addFrame(Contender& contender, const Query* elapsed, Samples& samples)
 {
     if (elapsed != nullptr)
@@ -82,16 +85,22 @@ std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contende
     const std::unique_ptr<Query> elapsed =
         isSoftwareRasteriser() ? nullptr : std::make_unique<Query>(GL_TIME_ELAPSED);
     std::vector<Samples> samples(contenders.size());
+    std::vector<bool> isSlow(contenders.size(), false);
     for (int frame = 0; frame < warmUp + frames; ++frame)
         for (std::size_t index = 0; index < contenders.size(); ++index) {
+            const bool isLeftOut = isSlow[index] && (frame < warmUp || frame >= warmUp + slowFrames);
             Samples discarded;
-            addFrame(*contenders[index], elapsed.get(), frame < warmUp ? discarded : samples[index]);
+            if (!isLeftOut)
+                addFrame(*contenders[index], elapsed.get(), frame < warmUp ? discarded : samples[index]);
+            if (frame == 0 && !discarded.wall.empty())
+                isSlow[index] = discarded.wall.front() > slowMilliseconds;
             afterEach();
         }
     std::vector<Timing> timings;
     for (const Samples& of : samples)
         timings.push_back({quartilesOf(of.wall), quartilesOf(of.cpu),
-                           of.gpu.empty() ? std::nullopt : std::optional<Quartiles>(quartilesOf(of.gpu))});
+                           of.gpu.empty() ? std::nullopt : std::optional<Quartiles>(quartilesOf(of.gpu)),
+                           of.wall.size()});
     return timings;
 }
 

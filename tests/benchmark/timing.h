@@ -20,12 +20,15 @@ struct Timing
 {
     Quartiles wall, cpu;          // milliseconds a frame; CPU of all threads of the process
     std::optional<Quartiles> gpu; // GL_TIME_ELAPSED; not on software rasterisers, where it is wrong
+    std::size_t frames = 0;       // measured
 };
 
 // Whether the current context draws on the CPU.
 bool isSoftwareRasteriser();
 
-// `warmUp` frames that are not measured, then `frames`; `afterEach` is called after every frame of one.
+// `warmUp` frames that are not measured, then `frames`; a contender whose first frame takes longer than a
+// second is drawn only twice more, after all warm-up. `afterEach` is called after every frame of one, drawn
+// or not.
 std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contenders, int warmUp, int frames,
                             const std::function<void()>& afterEach);
 
