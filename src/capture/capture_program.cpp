@@ -18,16 +18,6 @@ namespace capture {
 
 namespace {
 
-// Names of the library's in capture programs; another prefix than pass 2's, so that a reflective object can
-// be drawn into another object's map with the snippet of pass 2 in its shader.
-const std::string prefix = "mirrorballCapture_";
-
-void replaceAll(std::string& text, std::string_view from, std::string_view to)
-{
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-}
-
 std::string define(const std::string& name, const std::string& value)
 {
     return "#define MIRRORBALL_" + name + " " + value + "\n";
@@ -94,58 +84,34 @@ std::string_view coverShader(MapKind map)
     return shaders::coverSphereMap;
 }
 
-int scalarsOf(const std::string& type)
+Carriage carriageOf(const Variant& variant)
 {
-    // A matCxR, a vecN or a scalar.
-    const std::size_t digit = type.find_first_of("234");
-    if (digit == std::string::npos)
-        return 1;
-    const int first = type[digit] - '0';
-    if (type.rfind("mat", 0) != 0)
-        return first;
-    return first * (type.size() > digit + 2 ? type[digit + 2] - '0' : first);
+    return variant.path == Path::exact               ? Carriage::exact
+           : variant.layers == LayerOrder::allAtOnce ? Carriage::copied
+                                                     : Carriage::direct;
 }
 
-// Throws Error badShader when the exact path has no room for a varying of the host's, and names it. A
-// triangle hands the fragment stage its varyings at all three vertices (flat ones once), beside 15 scalars of
-// the library's own and gl_Position. Returns the scalars of one vertex.
-int requireRoom(const CaptureProgram::Implementation& host, int views)
+int viewsAtOnce(const Variant& variant)
 {
-    constexpr int own = 15 + 4;
-    constexpr int smallestPolygon = 4;
-    const int limit = std::min(
-        {gl::integer(GL_MAX_GEOMETRY_OUTPUT_COMPONENTS), gl::integer(GL_MAX_FRAGMENT_INPUT_COMPONENTS),
-         gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / (smallestPolygon * views)});
-    int used = own;
-    for (const Varying& varying : host.varyings) {
-        const std::string asked =
-            "varying '" + varying.type + " " + varying.name + "' of '" + host.desc.name + "'";
-        const bool known = varying.type == "float" || varying.type == "int" || varying.type == "uint" ||
-                           varying.type.find("vec") != std::string::npos || varying.type.rfind("mat", 0) == 0;
-        if (!known || !varying.arraySuffix.empty() || varying.type[0] == 'd')
-            throw Error(ErrorKind::badShader, asked,
-                        "exact capture carries scalars, vectors and matrices only",
-                        "split it up or capture with perVertex");
-        used += scalarsOf(varying.type) * (varying.interpolation == "flat" ? 1 : 3);
-        if (used > limit)
-            throw Error(ErrorKind::badShader, asked,
-                        "exact capture needs " + std::to_string(used) +
-                            " scalars a vertex up to it and the driver has " + std::to_string(limit),
-                        "hand over fewer varyings or capture with perVertex");
-    }
-    return used;
+    return variant.layers == LayerOrder::allAtOnce ? viewCount(variant.map) : 1;
+}
+
+// What the geometry stage writes at least for one triangle: a covering polygon of one strip, or the triangle.
+int smallestOutput(const Variant& variant)
+{
+    return viewsAtOnce(variant) * (variant.path == Path::exact ? 4 : 3);
 }
 
 // The strips that a triangle's covering polygon is cut into: as many as the driver has room for, up to 10,
 // where triangles are large; one, a box, where they are small.
 int stripsOf(const CaptureProgram::Implementation& host, const Variant& variant)
 {
-    if (variant.path != Path::exact)
+    if (variant.path != Path::exact || !variant.large)
         return 1;
-    const int views = variant.layers == LayerOrder::allAtOnce ? viewCount(variant.map) : 1;
-    const int scalars = requireRoom(host, views);
-    const int vertices = gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / (scalars * views);
-    return variant.large ? std::clamp(vertices / 2 - 1, 1, 10) : 1;
+    const int scalars = scalarsOf(host.varyings, Carriage::exact);
+    const int vertices =
+        gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / (scalars * viewsAtOnce(variant));
+    return std::clamp(vertices / 2 - 1, 1, 10);
 }
 
 // What the geometry stage writes at most for one triangle: `corners` for each view.
@@ -166,15 +132,19 @@ bool cuts(const Variant& variant)
 std::string defines(const CaptureProgram::Implementation& host, const Variant& variant)
 {
     const int corners = cornersOf(host, variant);
-    const int vertices = corners * (variant.layers == LayerOrder::allAtOnce ? viewCount(variant.map) : 1);
+    int turnedViews = 0; // a bit for each view
+    for (int view = 0; view < viewCount(variant.map); ++view)
+        turnedViews |= orientation(variant.map, view) < 0 ? 1 << view : 0;
     const bool tennisBall = variant.map == MapKind::tennisBall || variant.map == MapKind::tennisBallEven;
     const bool textbook = variant.depthTerm == DepthTerm::textbook;
     const bool wraps = variant.map == MapKind::equirectangular || variant.map == MapKind::sphereMap;
     return define("VIEWS", std::to_string(viewCount(variant.map))) +
-           define("CORNERS", std::to_string(corners)) + define("VERTICES", std::to_string(vertices)) +
+           define("CORNERS", std::to_string(corners)) +
+           define("VERTICES", std::to_string(corners * viewsAtOnce(variant))) +
            define("STRIPS", std::to_string(corners / 2 - 1)) +
            define("LAYER(view)", std::string(variant.map == MapKind::octahedral ? "0" : "(view)")) +
-           define("POSITION", host.desc.position) + define("TENNIS_BALL", tennisBall) +
+           define("TURNED_VIEWS", std::to_string(turnedViews)) + define("POSITION", host.desc.position) +
+           define("TENNIS_BALL", tennisBall) +
            define("DUAL_PARABOLOID", variant.map == MapKind::dualParaboloid) +
            define("EQUI_ANGULAR_CUBE", variant.map == MapKind::equiAngularCube) +
            define("OCTAHEDRAL", variant.map == MapKind::octahedral) +
@@ -191,67 +161,80 @@ class Assembly
 {
 public:
     Assembly(const CaptureProgram::Implementation& host, const Variant& variant)
-        : host_(host), variant_(variant), defines_(defines(host, variant)),
+        : host_(host), variant_(variant), carriage_(carriageOf(variant)), defines_(defines(host, variant)),
           map_(mapGlsl(variant.map, GlslVersion::glsl330, prefix, GlslInputs::regular))
     {
     }
 
     bool isExact() const { return variant_.path == Path::exact; }
-    bool hasGeometryShader() const { return isExact() || variant_.layers == LayerOrder::allAtOnce; }
+    bool hasGeometryShader() const { return carriage_ != Carriage::direct; }
 
+    // The library's text comes before the host's, so that no macro or global name of the host's can meet it;
+    // what comes after only calls.
     std::string vertex() const
     {
-        const bool clips = host_.vertex.mentions("gl_ClipDistance");
-        const std::string ignored = prefix + "ignoredClipDistance";
-        std::string text = host_.vertex.versionLine() +
-                           host_.vertex.body({{"main", prefix + "hostMain"}, {"gl_ClipDistance", ignored}},
-                                             {}, clips ? "float " + ignored + "[8];\n" : "") +
-                           ours();
-        if (hasGeometryShader())
-            return text + std::string(shaders::vertexAll);
-        return text + map_ + project() + std::string(shaders::vertexOne);
+        HostShader::Changes changes;
+        changes.identifiers = {{"main", prefix + "hostMain"}};
+        changes.removed = {"gl_PerVertex", "gl_ClipDistance"};
+        changes.prelude = ours() + (hasGeometryShader() ? std::string(shaders::vertexAll)
+                                                        : map_ + project() + std::string(shaders::vertexOne));
+        if (host_.vertex.mentions("gl_ClipDistance")) {
+            changes.identifiers.push_back({"gl_ClipDistance", prefix + "ignoredClipDistance"});
+            changes.prelude += "float " + prefix + "ignoredClipDistance[8];\n";
+        }
+        // The geometry stage reads varyings by name.
+        for (const Varying& varying : host_.varyings)
+            if (hasGeometryShader())
+                changes.withoutLayout.push_back(varying.vertexName);
+        return host_.vertex.versionLine() + host_.vertex.body(changes) + "#line 1 1\n" +
+               std::string(shaders::vertexMain);
     }
 
     std::string geometry() const
     {
-        std::string text(isExact() ? shaders::geometryExact : shaders::geometryAll);
-        replaceAll(text, "MIRRORBALL_VARYINGS", isExact() ? exactVaryings() : copiedVaryings());
-        const std::string head =
+        std::string text =
             host_.vertex.versionLine() + "#extension GL_ARB_gpu_shader5 : enable\n" + defines_ + map_;
-        if (!isExact())
-            return head + project() + text;
-        // The covering polygons are functions; they come before main and after the declarations of layouts.
-        return head + std::string(shaders::coverCommon) + std::string(coverShader(variant_.map)) +
-               std::string(shaders::trianglePlane) + text;
+        if (isExact())
+            text += std::string(shaders::coverCommon) + std::string(coverShader(variant_.map)) +
+                    std::string(shaders::trianglePlane) + std::string(shaders::geometryExact);
+        else
+            text += project() + std::string(shaders::geometryAll);
+        return text + host_.fragment.skeleton(declarationMark) + geometryVaryings(host_.varyings, carriage_);
     }
 
     std::string fragment() const
     {
         const bool facing = isExact() && host_.fragment.mentions("gl_FrontFacing");
         const bool primitive = isExact() && host_.fragment.mentions("gl_PrimitiveID");
-        std::vector<HostShader::Replacement> replacements = {{"main", prefix + "hostMain"}};
+        HostShader::Changes changes;
+        changes.identifiers = {{"main", prefix + "hostMain"}};
+        changes.globals = host_.outputs.others;
+        changes.withoutLayout = {host_.outputs.colour};
+        changes.removed = {"gl_FragDepth", "gl_FragCoord", "early_fragment_tests"};
+        changes.mark = hasGeometryShader() ? declarationMark : "";
+        for (const Varying& varying : host_.varyings)
+            if (hasGeometryShader())
+                changes.globals.push_back(varying.name);
+        const auto substitute = [&](const std::string& type, const std::string& from, const std::string& to) {
+            changes.prelude += type + " " + prefix + to + ";\n";
+            changes.identifiers.push_back({from, prefix + to});
+        };
         if (facing)
-            replacements.push_back({"gl_FrontFacing", prefix + "hostFrontFacing"});
+            substitute("bool", "gl_FrontFacing", "hostFrontFacing");
         if (primitive)
-            replacements.push_back({"gl_PrimitiveID", prefix + "hostPrimitiveID"});
-        const std::string prelude = (facing ? "bool " + prefix + "hostFrontFacing;\n" : "") +
-                                    (primitive ? "int " + prefix + "hostPrimitiveID;\n" : "");
-        std::vector<std::string> globals;
-        if (hasGeometryShader())
-            for (const Varying& varying : host_.varyings)
-                globals.push_back(varying.name);
-        std::string text(isExact() ? shaders::fragmentExact : shaders::fragmentInterpolated);
-        replaceAll(text, "MIRRORBALL_READ_VARYINGS", hasGeometryShader() ? readVaryings() : "");
+            substitute("int", "gl_PrimitiveID", "hostPrimitiveID");
+        if (host_.fragment.mentions("gl_FragDepth"))
+            substitute("float", "gl_FragDepth", "ignoredDepth");
         const bool dropsSmear = defines_.find("DROPS_SMEAR 1") != std::string::npos;
-        return host_.fragment.versionLine() + host_.fragment.body(replacements, globals, prelude) + ours() +
-               define("READS_FRONT_FACING", facing) + define("READS_PRIMITIVE_ID", primitive) +
-               (isExact() || dropsSmear ? map_ : "") +
-               (dropsSmear ? "uniform vec2 " + prefix + "size;\n" : "") +
-               (hasGeometryShader() ? fragmentVaryings() : "") + text;
+        changes.prelude += ours() + define("READS_FRONT_FACING", facing) +
+                           define("READS_PRIMITIVE_ID", primitive) + (isExact() || dropsSmear ? map_ : "") +
+                           std::string(isExact() ? shaders::fragmentExact : shaders::fragmentInterpolated);
+        return host_.fragment.versionLine() + host_.fragment.body(changes) + "#line 1 1\n" +
+               fragmentVaryings(host_.varyings, carriage_) + std::string(shaders::fragmentMain);
     }
 
 private:
-    // What comes after the host's text counts its lines as those of source string 1.
+    // The lines of the library's text count as those of source string 1.
     std::string ours() const { return "#line 1 1\n" + defines_; }
 
     std::string project() const
@@ -259,87 +242,16 @@ private:
         return std::string(variant_.path == Path::linear ? shaders::projectLinear : shaders::projectMapped);
     }
 
-    static std::string qualifier(const Varying& varying)
-    {
-        return varying.interpolation.empty() ? "" : varying.interpolation + " ";
-    }
-
-    static bool isFlat(const Varying& varying) { return varying.interpolation == "flat"; }
-
-    static std::string inputOf(const Varying& varying)
-    {
-        return qualifier(varying) + "in " + varying.type + " " + varying.name + "[]" + varying.arraySuffix +
-               ";\n";
-    }
-
-    // A varying as the geometry stage passes it on: under the library's name, from one vertex each time.
-    std::string copiedVaryings() const
-    {
-        std::string declarations, copies;
-        for (const Varying& varying : host_.varyings) {
-            declarations += inputOf(varying) + qualifier(varying) + "out " + varying.type + " " + prefix +
-                            varying.name + varying.arraySuffix + ";\n";
-            copies += "    " + prefix + varying.name + " = " + varying.name + "[corner];\n";
-        }
-        return declarations + "void " + prefix + "copyVaryings(int corner)\n{\n" + copies + "}\n";
-    }
-
-    // For exact capture: the values at all three vertices, flat; a flat varying has that of the last vertex
-    // only.
-    std::string exactVaryings() const
-    {
-        std::string declarations, copies;
-        for (const Varying& varying : host_.varyings) {
-            declarations += inputOf(varying);
-            for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner) {
-                const std::string name = prefix + varying.name + std::to_string(corner);
-                declarations += "flat out " + varying.type + " " + name + ";\n";
-                copies += "    " + name + " = " + varying.name + "[" + std::to_string(corner) + "];\n";
-            }
-        }
-        return declarations + "void " + prefix + "copyVaryings()\n{\n" + copies + "}\n";
-    }
-
-    std::string fragmentVaryings() const
-    {
-        std::string declarations;
-        for (const Varying& varying : host_.varyings) {
-            if (!isExact()) {
-                declarations += qualifier(varying) + "in " + varying.type + " " + prefix + varying.name +
-                                varying.arraySuffix + ";\n";
-                continue;
-            }
-            for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner)
-                declarations +=
-                    "flat in " + varying.type + " " + prefix + varying.name + std::to_string(corner) + ";\n";
-        }
-        return declarations;
-    }
-
-    std::string readVaryings() const
-    {
-        std::string reads;
-        for (const Varying& varying : host_.varyings) {
-            const std::string name = prefix + varying.name;
-            if (!isExact())
-                reads += varying.name + " = " + name + ";\n    ";
-            else if (isFlat(varying))
-                reads += varying.name + " = " + name + "2;\n    ";
-            else
-                reads += varying.name + " = weight.x * " + name + "0 + weight.y * " + name +
-                         "1 + weight.z * " + name + "2;\n    ";
-        }
-        return reads;
-    }
-
     const CaptureProgram::Implementation& host_;
     Variant variant_;
+    Carriage carriage_;
     std::string defines_;
     std::string map_;
 };
 
 LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& variant)
 {
+    requireRoom(host.varyings, carriageOf(variant), smallestOutput(variant), host.desc.name);
     const Assembly assembly(host, variant);
     std::vector<gl::ShaderSource> sources = {{GL_VERTEX_SHADER, assembly.vertex(), host.vertex.name()},
                                              {GL_FRAGMENT_SHADER, assembly.fragment(), host.fragment.name()}};
@@ -349,8 +261,7 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     LinkedProgram result;
     result.program =
         gl::linkProgram(sources, "capture program '" + host.desc.name + "'", [&](unsigned int program) {
-            if (!host.colourOutput.empty())
-                glBindFragDataLocation(program, 0, host.colourOutput.c_str());
+            glBindFragDataLocation(program, 0, host.outputs.colour.c_str());
             glBindFragDataLocation(program, 1, (prefix + "distance").c_str());
         });
     const auto location = [&](const char* name) {
@@ -370,36 +281,6 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     return result;
 }
 
-std::vector<Varying> varyingsOf(const HostShader& fragment)
-{
-    std::vector<Varying> varyings;
-    for (const Declaration& declaration : fragment.declarations()) {
-        if (declaration.storage != "in")
-            continue;
-        if (declaration.isBlock)
-            throw Error(ErrorKind::badShader, fragment.name(),
-                        "it reads the interface block '" + declaration.name + "'",
-                        "declare its members as varyings of their own");
-        varyings.push_back(
-            {declaration.type, declaration.name, declaration.arraySuffix, declaration.interpolation});
-    }
-    return varyings;
-}
-
-// The output that receives the colour: the first one. Its name, or "" when a layout qualifier says where it
-// goes.
-std::string colourOutputOf(const HostShader& fragment)
-{
-    const auto& declarations = fragment.declarations();
-    const auto output =
-        std::find_if(declarations.begin(), declarations.end(),
-                     [](const Declaration& declaration) { return declaration.storage == "out"; });
-    if (output == declarations.end())
-        throw Error(ErrorKind::badShader, fragment.name(), "it has no output",
-                    "declare one: out vec4 colour;");
-    return output->hasLocation ? "" : output->name;
-}
-
 } // namespace
 
 } // namespace capture
@@ -407,8 +288,17 @@ std::string colourOutputOf(const HostShader& fragment)
 CaptureProgram::Implementation::Implementation(Desc givenDesc)
     : desc(std::move(givenDesc)), vertex(desc.vertexSource, "the vertex shader of '" + desc.name + "'"),
       fragment(desc.fragmentSource, "the fragment shader of '" + desc.name + "'"),
-      varyings(capture::varyingsOf(fragment)), colourOutput(capture::colourOutputOf(fragment))
+      varyings(capture::varyingsOf(vertex, fragment)), outputs(capture::outputsOf(fragment))
 {
+    for (const capture::HostShader* const shader : {&vertex, &fragment})
+        if (const std::string clash = shader->nameBeginningWith(capture::prefix); !clash.empty())
+            throw Error(ErrorKind::badShader, shader->name(), "it uses the name '" + clash + "'",
+                        "names that begin with " + capture::prefix + " are the library's");
+}
+
+bool CaptureProgram::Implementation::fits(const capture::Variant& variant) const
+{
+    return capture::hasRoom(varyings, capture::carriageOf(variant), capture::smallestOutput(variant));
 }
 
 const capture::LinkedProgram& CaptureProgram::Implementation::program(const capture::Variant& variant)

@@ -2,7 +2,7 @@
 // first needed.
 #pragma once
 
-#include "capture/host_shader.h"
+#include "capture/varyings.h"
 
 #include <mirrorball/capture/capture_program.h>
 #include <mirrorball/capture/reflection_probe.h>
@@ -44,12 +44,6 @@ struct LinkedProgram
     bool writesDepth;
 };
 
-// A varying that the fragment shader reads.
-struct Varying
-{
-    std::string type, name, arraySuffix, interpolation;
-};
-
 } // namespace mirrorball::capture
 
 namespace mirrorball {
@@ -61,11 +55,14 @@ struct CaptureProgram::Implementation
     // Compiles and links on first use. Throws Error badShader.
     const capture::LinkedProgram& program(const capture::Variant& variant);
 
+    // Whether the geometry stage can write all layers of a variant at once.
+    bool fits(const capture::Variant& variant) const;
+
     Desc desc;
     capture::HostShader vertex;
     capture::HostShader fragment;
     std::vector<capture::Varying> varyings;
-    std::string colourOutput; // empty when its location is in a layout qualifier
+    capture::Outputs outputs;
     std::map<capture::Variant, capture::LinkedProgram> programs;
 };
 

@@ -36,7 +36,7 @@ std::size_t afterDirective(const std::string& text, std::size_t at)
 {
     while (at < text.size() && text[at] != '\n') {
         if (text[at] == '\\' && at + 1 < text.size())
-            ++at;
+            at += text.compare(at + 1, 2, "\r\n") == 0 ? 2 : 1;
         const std::size_t next = afterComment(text, at);
         at = next > at ? next : at + 1;
     }
@@ -44,13 +44,35 @@ std::size_t afterDirective(const std::string& text, std::size_t at)
 }
 
 constexpr std::string_view interpolations[] = {"flat", "noperspective", "smooth"};
-constexpr std::string_view otherQualifiers[] = {"centroid", "sample", "invariant", "precise", "highp",
-                                                "mediump",  "lowp",   "const",     "patch"};
+constexpr std::string_view auxiliaries[] = {"centroid", "sample"};
+constexpr std::string_view otherQualifiers[] = {"invariant", "precise", "highp", "mediump",
+                                                "lowp",      "const",   "patch"};
+// What a statement with a braced part that goes on to a semicolon begins with: structs and interface blocks.
+constexpr std::string_view blockHeads[] = {"struct", "in",       "out",    "uniform",       "layout", "const",
+                                           "buffer", "centroid", "smooth", "noperspective", "flat"};
 
 template <class List>
 bool contains(const List& list, std::string_view word)
 {
     return std::find(std::begin(list), std::end(list), word) != std::end(list);
+}
+
+bool isQualifier(std::string_view word)
+{
+    return word == "in" || word == "out" || contains(interpolations, word) || contains(auxiliaries, word) ||
+           contains(otherQualifiers, word);
+}
+
+// The word after the # of a preprocessor line.
+std::string_view directiveName(std::string_view line)
+{
+    const std::size_t begin = line.find_first_not_of(" \t", 1);
+    if (begin == std::string_view::npos)
+        return {};
+    std::size_t end = begin;
+    while (end < line.size() && continuesIdentifier(line[end]))
+        ++end;
+    return line.substr(begin, end - begin);
 }
 
 } // namespace
@@ -73,6 +95,14 @@ bool HostShader::mentions(std::string_view identifier) const
 {
     return std::any_of(tokens_.begin(), tokens_.end(),
                        [&](const Token& token) { return token.isIdentifier && text(token) == identifier; });
+}
+
+std::string HostShader::nameBeginningWith(std::string_view prefix) const
+{
+    const auto found = std::find_if(tokens_.begin(), tokens_.end(), [&](const Token& token) {
+        return token.isIdentifier && text(token).substr(0, prefix.size()) == prefix;
+    });
+    return found == tokens_.end() ? std::string() : std::string(text(*found));
 }
 
 void HostShader::readVersion()
@@ -107,15 +137,22 @@ void HostShader::readTokens()
     std::size_t at = bodyBegin_;
     preludeAt_ = bodyBegin_;
     bool lineStart = true;
+    int conditions = 0;           // #if that are open
+    bool extensionBefore = false; // since preludeAt_
     while (at < text_.size()) {
         const char c = text_[at];
         if (const std::size_t next = afterComment(text_, at); next > at) {
             at = next;
         } else if (c == '#' && lineStart) {
             const std::size_t end = afterDirective(text_, at);
-            if (tokens_.empty() &&
-                std::string_view(text_).substr(at, end - at).find("extension") != std::string_view::npos)
+            const std::string_view name = directiveName(std::string_view(text_).substr(at, end - at));
+            conditions += name.substr(0, 2) == "if" ? 1 : name == "endif" ? -1 : 0;
+            extensionBefore = extensionBefore || name == "extension";
+            if (tokens_.empty() && extensionBefore && conditions == 0) {
                 preludeAt_ = std::min(end + 1, text_.size());
+                extensionBefore = false;
+            }
+            directives_.push_back({at, end});
             at = end;
         } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
             lineStart = lineStart || c == '\n';
@@ -149,13 +186,7 @@ void HostShader::readDeclarations()
             first = index + 1;
         } else if (token == "}") {
             // A function's body ends a statement; a block's or struct's goes on to its semicolon.
-            const bool goesOn = index + 1 < tokens_.size() && [&] {
-                const std::string_view head = text(tokens_[first]);
-                return head == "struct" || head == "in" || head == "out" || head == "uniform" ||
-                       head == "layout" || head == "const" || head == "buffer" || head == "flat" ||
-                       head == "smooth";
-            }();
-            if (!goesOn)
+            if (!contains(blockHeads, text(tokens_[first])))
                 first = index + 1;
         }
     }
@@ -170,21 +201,29 @@ void HostShader::readStatement(std::size_t firstToken, std::size_t lastToken)
     for (; at < lastToken; ++at) {
         const std::string_view word = text(tokens_[at]);
         if (word == "layout") {
-            int depth = 0;
-            do {
-                ++at;
+            const std::size_t close = std::min(closingParenthesis(at), lastToken);
+            for (; at < close; ++at) {
                 const std::string_view inner = text(tokens_[at]);
-                depth += inner == "(" ? 1 : inner == ")" ? -1 : 0;
-                declaration.hasLocation = declaration.hasLocation || inner == "location";
-            } while (depth > 0 && at < lastToken);
+                if (inner == "early_fragment_tests")
+                    declaration.name = inner;
+                for (std::size_t value = at + 2; inner == "location" && value < close; ++value) {
+                    if (text(tokens_[value]) == ",")
+                        break;
+                    declaration.location += text(tokens_[value]);
+                }
+            }
         } else if (word == "in" || word == "out" || word == "uniform") {
             declaration.storage = word;
         } else if (contains(interpolations, word)) {
             declaration.interpolation = word;
+        } else if (contains(auxiliaries, word)) {
+            declaration.auxiliary = word;
         } else if (!contains(otherQualifiers, word)) {
             break;
         }
     }
+    if (at >= lastToken && !declaration.name.empty())
+        declarations_.push_back(declaration);
     if (declaration.storage.empty() || at >= lastToken)
         return;
     declaration.type = text(tokens_[at++]);
@@ -221,47 +260,103 @@ std::string HostShader::lineDirective(std::size_t at) const
     return "#line " + std::to_string(lines + 1) + " 0\n";
 }
 
-std::string HostShader::body(const std::vector<Replacement>& identifiers,
-                             const std::vector<std::string>& globals, const std::string& prelude) const
+std::size_t HostShader::closingParenthesis(std::size_t token) const
 {
-    // Statements whose qualifiers go: several names may share one.
-    std::vector<std::pair<std::size_t, std::size_t>> statements;
-    for (const Declaration& declaration : declarations_)
-        if (contains(globals, declaration.name))
-            statements.emplace_back(declaration.begin, declaration.end);
-    const auto inStatement = [&](const Token& token) {
-        return std::any_of(statements.begin(), statements.end(),
-                           [&](const auto& s) { return token.begin >= s.first && token.end <= s.second; });
-    };
-    const auto isQualifier = [](std::string_view word) {
-        return word == "in" || contains(interpolations, word) || contains(otherQualifiers, word);
-    };
+    int depth = 0;
+    for (; token < tokens_.size(); ++token) {
+        depth += text(tokens_[token]) == "(" ? 1 : 0;
+        if (text(tokens_[token]) == ")" && --depth == 0)
+            break;
+    }
+    return token;
+}
+
+// Several names may share a statement; this is the first of them.
+const Declaration* HostShader::declarationAround(const Token& token) const
+{
+    const auto found = std::find_if(declarations_.begin(), declarations_.end(), [&](const Declaration& d) {
+        return token.begin >= d.begin && token.end <= d.end;
+    });
+    return found == declarations_.end() ? nullptr : &*found;
+}
+
+bool HostShader::allNamed(const Declaration& statement, const std::vector<std::string>& names) const
+{
+    return std::all_of(declarations_.begin(), declarations_.end(), [&](const Declaration& d) {
+        return d.begin != statement.begin || contains(names, d.name);
+    });
+}
+
+std::string HostShader::marksAt(std::size_t end, const std::string& mark) const
+{
+    std::string marks;
+    for (std::size_t index = 0; index < declarations_.size() && !mark.empty(); ++index)
+        if (declarations_[index].end == end)
+            marks += "\n#define " + mark + std::to_string(index);
+    return marks;
+}
+
+std::string HostShader::body(const Changes& changes) const
+{
     std::string result = lineDirective(bodyBegin_) + text_.substr(bodyBegin_, preludeAt_ - bodyBegin_);
-    if (!prelude.empty())
-        result += prelude + lineDirective(preludeAt_);
+    if (!changes.prelude.empty())
+        result += changes.prelude + lineDirective(preludeAt_);
     std::size_t copied = preludeAt_;
+    const auto replace = [&](std::size_t begin, std::size_t end, const std::string& with) {
+        result.append(text_, copied, begin - copied);
+        result += with;
+        copied = end;
+    };
     for (std::size_t index = 0; index < tokens_.size(); ++index) {
         const Token& token = tokens_[index];
         const std::string_view word = text(token);
-        std::size_t end = token.end;
-        std::string replacement;
-        const auto found = std::find_if(identifiers.begin(), identifiers.end(),
+        const Declaration* const statement = declarationAround(token);
+        const bool isGlobal = statement != nullptr && allNamed(*statement, changes.globals);
+        const bool isBare = isGlobal || (statement != nullptr && allNamed(*statement, changes.withoutLayout));
+        const auto found = std::find_if(changes.identifiers.begin(), changes.identifiers.end(),
                                         [&](const Replacement& candidate) { return candidate.from == word; });
-        if (inStatement(token) && word == "layout") {
-            while (text(tokens_[index]) != ")")
+        if (statement != nullptr && allNamed(*statement, changes.removed)) {
+            while (tokens_[index].end < statement->end)
                 ++index;
-            end = tokens_[index].end;
-        } else if (token.isIdentifier && found != identifiers.end()) {
-            replacement = found->to;
-        } else if (!inStatement(token) || !isQualifier(word)) {
-            continue;
+            // Line ends within the statement stay, so that the lines after it keep their numbers.
+            replace(token.begin, statement->end,
+                    std::string(static_cast<std::size_t>(std::count(
+                                    text_.begin() + static_cast<std::ptrdiff_t>(token.begin),
+                                    text_.begin() + static_cast<std::ptrdiff_t>(statement->end), '\n')),
+                                '\n'));
+        } else if (isBare && word == "layout") {
+            index = closingParenthesis(index);
+            replace(token.begin, tokens_[index].end, "");
+        } else if (isGlobal && isQualifier(word)) {
+            replace(token.begin, token.end, "");
+        } else if (token.isIdentifier && found != changes.identifiers.end()) {
+            replace(token.begin, token.end, found->to);
+        } else if (const std::string marks = word == ";" ? marksAt(token.end, changes.mark) : "";
+                   !marks.empty()) {
+            replace(token.begin, token.end, ";" + marks + "\n" + lineDirective(token.end));
         }
-        result.append(text_, copied, token.begin - copied);
-        result += replacement;
-        copied = end;
     }
     result.append(text_, copied, text_.size() - copied);
     return result + "\n";
+}
+
+std::string HostShader::skeleton(const std::string& mark) const
+{
+    std::string result;
+    std::size_t next = 0; // declaration
+    const auto marksBefore = [&](std::size_t at) {
+        for (; next < declarations_.size() && declarations_[next].end <= at; ++next)
+            result += "#define " + mark + std::to_string(next) + "\n";
+    };
+    for (const Span& span : directives_) {
+        marksBefore(span.begin);
+        const std::string_view line = std::string_view(text_).substr(span.begin, span.end - span.begin);
+        const std::string_view name = directiveName(line);
+        if (name != "extension" && name != "line" && name != "pragma" && name != "version")
+            result.append(line).append("\n");
+    }
+    marksBefore(text_.size());
+    return result;
 }
 
 } // namespace mirrorball::capture

@@ -1,5 +1,6 @@
 // Reads the host's GLSL just far enough to reuse it: the #version line, the declarations at global scope and
-// every identifier. No preprocessing is done: a declaration counts even inside an #if branch.
+// every identifier. No preprocessing is done. A declaration counts even inside an #if branch; a mark, a macro
+// defined beside it, tells the library's own text whether the driver's preprocessor came by.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +14,13 @@ namespace mirrorball::capture {
 struct Declaration
 {
     std::string storage;       // "in", "out" or "uniform"
-    std::string interpolation; // "flat", "noperspective", "smooth" or "" (also for centroid and sample)
-    std::string type;          // "vec3"
+    std::string interpolation; // "flat", "noperspective", "smooth" or ""
+    std::string auxiliary;     // "centroid", "sample" or ""
+    std::string type;          // "vec3"; "" for layout(early_fragment_tests) in
     std::string name;          // "normal"; for an interface block the block's name
     std::string arraySuffix;   // "[4]" or ""
+    std::string location;      // N of layout(location = N), as written; "" for none
     bool isBlock = false;
-    bool hasLocation = false;       // layout(location = …) is written
     std::size_t begin = 0, end = 0; // of the whole statement in the text, the semicolon included
 };
 
@@ -34,23 +36,40 @@ public:
     const std::string& versionLine() const { return versionLine_; } // "#version 330 core\n"
     const std::vector<Declaration>& declarations() const { return declarations_; }
     bool mentions(std::string_view identifier) const;
+    std::string nameBeginningWith(std::string_view prefix) const; // the first such identifier, or ""
 
     struct Replacement
     {
         std::string from, to;
     };
 
+    // What is changed in the text; names are those of declarations.
+    struct Changes
+    {
+        std::vector<Replacement> identifiers;   // whole identifiers
+        std::vector<std::string> globals;       // lose their qualifiers and become plain global variables
+        std::vector<std::string> withoutLayout; // lose layout(…) only
+        std::vector<std::string> removed;       // the whole statement
+        std::string prelude; // goes in before the first declaration, after all #extension lines
+        std::string mark;    // where not empty, declaration k is followed by #define <mark>k
+    };
+
     // The text after the #version line, headed by a #line so that messages keep the host's line numbers.
-    // Whole identifiers are replaced; the declarations of `globals` (names) lose their qualifiers and become
-    // plain global variables. `prelude` goes in before the first declaration, after all #extension lines.
-    std::string body(const std::vector<Replacement>& identifiers,
-                     const std::vector<std::string>& globals = {}, const std::string& prelude = {}) const;
+    std::string body(const Changes& changes) const;
+
+    // The preprocessor lines that decide what is compiled, with the marks among them and nothing else:
+    // another stage asks it which declarations there are.
+    std::string skeleton(const std::string& mark) const;
 
 private:
     struct Token
     {
         std::size_t begin, end;
         bool isIdentifier;
+    };
+    struct Span
+    {
+        std::size_t begin, end;
     };
 
     void readVersion();
@@ -59,14 +78,19 @@ private:
     void readStatement(std::size_t firstToken, std::size_t lastToken);
     std::string_view text(const Token& token) const;
     std::string lineDirective(std::size_t at) const; // names the host's line number at this offset
+    std::string marksAt(std::size_t end, const std::string& mark) const;
+    const Declaration* declarationAround(const Token& token) const;
+    std::size_t closingParenthesis(std::size_t token) const;
+    bool allNamed(const Declaration& statement, const std::vector<std::string>& names) const;
 
     std::string text_;
     std::string name_;
     int version_ = 0;
     std::string versionLine_;
-    std::size_t bodyBegin_ = 0; // just after the #version line
-    std::size_t preludeAt_ = 0; // just after the last #extension line
-    std::vector<Token> tokens_; // of the body, preprocessor lines and comments left out
+    std::size_t bodyBegin_ = 0;    // just after the #version line
+    std::size_t preludeAt_ = 0;    // just after the last #extension line
+    std::vector<Token> tokens_;    // of the body, preprocessor lines and comments left out
+    std::vector<Span> directives_; // preprocessor lines of the body
     std::vector<Declaration> declarations_;
 };
 

@@ -213,7 +213,8 @@ void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, i
 
 capture::Variant ReflectionProbe::Implementation::variantOf(const CaptureMesh& mesh, int view) const
 {
-    capture::Variant variant{desc.map, Path::exact, desc.layers, desc.depthTerm, true};
+    capture::Variant variant{desc.map, Path::exact, view < 0 ? LayerOrder::allAtOnce : LayerOrder::oneAtATime,
+                             desc.depthTerm, true};
     // Triangles that span less than this are nearly straight on the map, and a simple polygon covers each
     // closely.
     constexpr double largeSpan = 0.45;
@@ -253,7 +254,8 @@ void ReflectionProbe::Implementation::drawMesh(const CaptureMesh& mesh, int view
     // Covering polygons have no winding of their own: the geometry shader culls.
     (mesh.cullBackFaces && path != Path::exact ? glEnable : glDisable)(GL_CULL_FACE);
     glUniform1i(linked.cullBackFaces, mesh.cullBackFaces ? 1 : 0);
-    glFrontFace(capture::orientation(desc.map, std::max(view, 0)) > 0 ? GL_CCW : GL_CW);
+    // With all at once the geometry shader has turned front faces counter-clockwise.
+    glFrontFace(view < 0 || capture::orientation(desc.map, view) > 0 ? GL_CCW : GL_CW);
     draw(mesh, {linked.program.name(), view});
     ++report.draws;
     report.drawsExact += path == Path::exact ? 1 : 0;

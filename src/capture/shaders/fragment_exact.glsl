@@ -10,27 +10,34 @@ flat in vec4 mirrorballCapture_trianglePlane;
 flat in ivec2 mirrorballCapture_numbers; // of the primitive and the layer
 out float mirrorballCapture_distance;
 
-void main()
+vec3 mirrorballCapture_weight;
+float mirrorballCapture_radius;
+bool mirrorballCapture_hit;
+
+void mirrorballCapture_begin()
 {
     vec3 direction = mirrorballCapture_directionFromSquare(mirrorballCapture_numbers.y, gl_FragCoord.xy / mirrorballCapture_size);
     vec3 inside = vec3(dot(direction, mirrorballCapture_edge0), dot(direction, mirrorballCapture_edge1),
                        dot(direction, mirrorballCapture_edge2));
     // Positions hit in proportion to these weights: perspective-correct without a projection.
-    vec3 weight = inside / (inside.x + inside.y + inside.z);
+    mirrorballCapture_weight = inside / (inside.x + inside.y + inside.z);
     float radius = mirrorballCapture_trianglePlane.w / dot(mirrorballCapture_trianglePlane.xyz, direction);
-    bool hit = (all(greaterThanEqual(inside, vec3(0.0))) || all(lessThanEqual(inside, vec3(0.0)))) &&
-               radius >= mirrorballCapture_range.x && radius <= mirrorballCapture_range.y;
-    MIRRORBALL_READ_VARYINGS
+    mirrorballCapture_hit = (all(greaterThanEqual(inside, vec3(0.0))) || all(lessThanEqual(inside, vec3(0.0)))) &&
+                            radius >= mirrorballCapture_range.x && radius <= mirrorballCapture_range.y;
+    mirrorballCapture_radius = radius;
 #if MIRRORBALL_READS_FRONT_FACING
     mirrorballCapture_hostFrontFacing = mirrorballCapture_trianglePlane.w < 0.0;
 #endif
 #if MIRRORBALL_READS_PRIMITIVE_ID
     mirrorballCapture_hostPrimitiveID = mirrorballCapture_numbers.x;
 #endif
-    mirrorballCapture_hostMain();
+}
+
+void mirrorballCapture_end()
+{
     // After the host's main, so that its texture look-ups have derivatives everywhere.
-    if (!hit)
+    if (!mirrorballCapture_hit)
         discard;
-    gl_FragDepth = mirrorballCapture_depth.x + mirrorballCapture_depth.y / radius;
-    mirrorballCapture_distance = radius;
+    gl_FragDepth = mirrorballCapture_depth.x + mirrorballCapture_depth.y / mirrorballCapture_radius;
+    mirrorballCapture_distance = mirrorballCapture_radius;
 }

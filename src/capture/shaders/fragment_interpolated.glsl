@@ -1,12 +1,15 @@
-// The host's fragment shader has run on interpolated varyings; the distance is that of the interpolated position.
+// The host's fragment shader runs on interpolated varyings; the distance is that of the interpolated position.
+#if MIRRORBALL_DROPS_SMEAR
+uniform vec2 mirrorballCapture_size;
+#endif
 uniform vec2 mirrorballCapture_range; // near, far
 in vec3 mirrorballCapture_position;
 out float mirrorballCapture_distance;
 
-void main()
+void mirrorballCapture_begin() {}
+
+void mirrorballCapture_end()
 {
-    MIRRORBALL_READ_VARYINGS
-    mirrorballCapture_hostMain();
     float radius = length(mirrorballCapture_position);
 #if MIRRORBALL_CLIPS_RANGE
     if (radius < mirrorballCapture_range.x || radius > mirrorballCapture_range.y)

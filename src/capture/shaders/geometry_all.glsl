@@ -6,8 +6,8 @@ out vec3 mirrorballCapture_position;
 #if MIRRORBALL_CUTS
 out float gl_ClipDistance[3];
 #endif
-// The host's varyings: declarations, and a function that copies those of one vertex.
-MIRRORBALL_VARYINGS
+// Hands on the host's varyings of one vertex. Its text comes last, behind the host's macros and names.
+void mirrorballCapture_copyVaryings(int corner);
 
 bool mirrorballCapture_outside(vec4 a, vec4 b, vec4 c)
 {
@@ -28,7 +28,11 @@ void main()
         vec3 most = max(max(inside[0], inside[1]), inside[2]);
         if (mirrorballCapture_outside(clip[0], clip[1], clip[2]) || min(min(most.x, most.y), most.z) < 0.0)
             continue;
-        for (int corner = 0; corner < 3; ++corner) {
+        // Where the map turns round what is seen, the first two change places: a front face is always
+        // counter-clockwise on the layer, and the last vertex still provokes.
+        bool turned = ((MIRRORBALL_TURNED_VIEWS >> view) & 1) != 0;
+        for (int index = 0; index < 3; ++index) {
+            int corner = turned && index < 2 ? 1 - index : index;
             mirrorballCapture_copyVaryings(corner);
             mirrorballCapture_position = mirrorballCapture_vertex[corner];
 #if MIRRORBALL_CUTS

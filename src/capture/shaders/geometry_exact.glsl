@@ -13,8 +13,8 @@ flat out vec3 mirrorballCapture_edge1;
 flat out vec3 mirrorballCapture_edge2;
 flat out vec4 mirrorballCapture_trianglePlane; // of the triangle: xyz . position = w
 flat out ivec2 mirrorballCapture_numbers; // of the primitive and the layer
-// The host's varyings at the three vertices.
-MIRRORBALL_VARYINGS
+// Hands on the host's varyings at the three vertices. Its text comes last, behind the host's macros and names.
+void mirrorballCapture_copyVaryings();
 
 // Twice the cross product, in Embree's form: under exchange of the ends every product and difference negates exactly.
 // The ends are put in a canonical order first, so that even a compiler that contracts a * b + c into one rounding gives

@@ -2,9 +2,8 @@
 uniform mat4 mirrorballCapture_probeFromWorld;
 out vec3 mirrorballCapture_vertex;
 
-void main()
+void mirrorballCapture_place(vec3 positionInWorld)
 {
-    mirrorballCapture_hostMain();
-    mirrorballCapture_vertex = (mirrorballCapture_probeFromWorld * vec4(MIRRORBALL_POSITION, 1.0)).xyz;
+    mirrorballCapture_vertex = (mirrorballCapture_probeFromWorld * vec4(positionInWorld, 1.0)).xyz;
     gl_Position = vec4(0.0);
 }

@@ -6,10 +6,9 @@ out vec3 mirrorballCapture_position; // in the probe's frame, world units
 out float gl_ClipDistance[3];
 #endif
 
-void main()
+void mirrorballCapture_place(vec3 positionInWorld)
 {
-    mirrorballCapture_hostMain();
-    vec3 position = (mirrorballCapture_probeFromWorld * vec4(MIRRORBALL_POSITION, 1.0)).xyz;
+    vec3 position = (mirrorballCapture_probeFromWorld * vec4(positionInWorld, 1.0)).xyz;
     mirrorballCapture_position = position;
     gl_Position = mirrorballCapture_project(mirrorballCapture_view, position);
 #if MIRRORBALL_CUTS

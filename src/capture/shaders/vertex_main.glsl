@@ -1,0 +1,5 @@
+void main()
+{
+    mirrorballCapture_hostMain();
+    mirrorballCapture_place(MIRRORBALL_POSITION);
+}

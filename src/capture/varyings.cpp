@@ -1,0 +1,241 @@
+#include "capture/varyings.h"
+
+#include "gl/context.h"
+
+#include <mirrorball/error.h>
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace mirrorball::capture {
+
+namespace {
+
+bool isFlat(const Varying& varying)
+{
+    return varying.interpolation == "flat";
+}
+
+// Scalars of a numeric type, or nothing for a type that capture does not carry.
+std::optional<int> scalarsOf(const std::string& type)
+{
+    static const std::map<std::string, int> known = [] {
+        std::map<std::string, int> all = {{"float", 1}, {"int", 1}, {"uint", 1}};
+        for (int size = 2; size <= 4; ++size) {
+            const std::string suffix = std::to_string(size);
+            for (const char* const vector : {"vec", "ivec", "uvec"})
+                all[vector + suffix] = size;
+            all["mat" + suffix] = size * size;
+            for (int rows = 2; rows <= 4; ++rows)
+                all["mat" + suffix + "x" + std::to_string(rows)] = size * rows;
+        }
+        return all;
+    }();
+    const auto found = known.find(type);
+    return found == known.end() ? std::nullopt : std::optional(found->second);
+}
+
+// Scalars of a varying in one vertex of the stage that writes most.
+int scalarsOf(const Varying& varying, Carriage carriage)
+{
+    const int one = scalarsOf(varying.type).value_or(4);
+    return carriage == Carriage::exact && !isFlat(varying) ? 3 * one : one;
+}
+
+// Branches of an #if may declare one name twice: the greater counts, once.
+bool isCounted(const std::vector<Varying>& varyings, std::size_t index)
+{
+    return std::none_of(varyings.begin(), varyings.begin() + static_cast<std::ptrdiff_t>(index),
+                        [&](const Varying& before) { return before.name == varyings[index].name; });
+}
+
+struct Limits
+{
+    int before; // into the geometry stage, or between vertex and fragment stage
+    int after;  // out of the geometry stage
+};
+
+Limits limitsOf(Carriage carriage, int vertices)
+{
+    const int vertex = gl::integer(GL_MAX_VERTEX_OUTPUT_COMPONENTS);
+    const int fragment = gl::integer(GL_MAX_FRAGMENT_INPUT_COMPONENTS);
+    if (carriage == Carriage::direct)
+        return {std::min(vertex, fragment), 0};
+    return {std::min(vertex, gl::integer(GL_MAX_GEOMETRY_INPUT_COMPONENTS)),
+            std::min({gl::integer(GL_MAX_GEOMETRY_OUTPUT_COMPONENTS), fragment,
+                      gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / vertices})};
+}
+
+std::string onlyWhereDeclared(const Varying& varying, const std::string& lines)
+{
+    return "#ifdef " + declarationMark + std::to_string(varying.declaration) + "\n" + lines + "#endif\n";
+}
+
+std::string qualifiers(const Varying& varying)
+{
+    return (varying.interpolation.empty() ? "" : varying.interpolation + " ") +
+           (varying.auxiliary.empty() ? "" : varying.auxiliary + " ");
+}
+
+// A varying between the geometry and the fragment stage.
+std::string carriedDeclaration(const Varying& varying, const std::string& storage, const std::string& suffix)
+{
+    return storage + " " + varying.type + " " + prefix + varying.name + suffix + ";\n";
+}
+
+} // namespace
+
+std::vector<Varying> varyingsOf(const HostShader& vertex, const HostShader& fragment)
+{
+    std::vector<Varying> varyings;
+    const auto& declarations = fragment.declarations();
+    for (std::size_t index = 0; index < declarations.size(); ++index) {
+        const Declaration& input = declarations[index];
+        if (input.storage != "in" || input.type.empty() || input.name.rfind("gl_", 0) == 0)
+            continue;
+        if (input.isBlock)
+            throw Error(ErrorKind::badShader, fragment.name(),
+                        "it reads the interface block '" + input.name + "'",
+                        "declare its members as varyings of their own");
+        const auto& outputs = vertex.declarations();
+        const auto output = std::find_if(outputs.begin(), outputs.end(), [&](const Declaration& candidate) {
+            const bool joined = input.location.empty() || candidate.location.empty()
+                                    ? candidate.name == input.name
+                                    : candidate.location == input.location;
+            return candidate.storage == "out" && joined;
+        });
+        // What nobody writes may be declared all the same; the driver complains if it is read.
+        if (output != outputs.end())
+            varyings.push_back({index, input.type, input.name, input.arraySuffix, input.interpolation,
+                                input.auxiliary, output->name});
+    }
+    return varyings;
+}
+
+Outputs outputsOf(const HostShader& fragment)
+{
+    Outputs outputs;
+    for (const Declaration& declaration : fragment.declarations()) {
+        if (declaration.storage != "out" || declaration.name.rfind("gl_", 0) == 0)
+            continue;
+        if (declaration.location == "0" && !outputs.colour.empty()) {
+            outputs.others.push_back(outputs.colour);
+            outputs.colour = declaration.name;
+        } else if (outputs.colour.empty()) {
+            outputs.colour = declaration.name;
+        } else if (declaration.name != outputs.colour) {
+            outputs.others.push_back(declaration.name);
+        }
+        if (!declaration.arraySuffix.empty())
+            throw Error(ErrorKind::badShader, fragment.name(),
+                        "its output '" + declaration.name + "' is an array",
+                        "declare the colour by itself: out vec4 colour;");
+    }
+    if (outputs.colour.empty())
+        throw Error(ErrorKind::badShader, fragment.name(), "it has no output",
+                    "declare one: out vec4 colour;");
+    return outputs;
+}
+
+int ownScalars(Carriage carriage)
+{
+    constexpr int position = 4;
+    // Exact: three edges, a plane, two numbers. Otherwise: the position in the probe's frame and three clip
+    // distances.
+    return position + (carriage == Carriage::exact ? 9 + 4 + 2 : 3 + 3);
+}
+
+int scalarsOf(const std::vector<Varying>& varyings, Carriage carriage)
+{
+    int sum = ownScalars(carriage);
+    for (std::size_t index = 0; index < varyings.size(); ++index)
+        sum += isCounted(varyings, index) ? scalarsOf(varyings[index], carriage) : 0;
+    return sum;
+}
+
+bool hasRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices)
+{
+    return carriage == Carriage::direct ||
+           scalarsOf(varyings, carriage) <= limitsOf(carriage, vertices).after;
+}
+
+void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices,
+                 const std::string& programName)
+{
+    const Limits limits = limitsOf(carriage, vertices);
+    int before = ownScalars(Carriage::copied), after = ownScalars(carriage);
+    for (std::size_t index = 0; index < varyings.size(); ++index) {
+        const Varying& varying = varyings[index];
+        const std::string asked = "varying '" + varying.type + " " + varying.name + varying.arraySuffix +
+                                  "' of '" + programName + "'";
+        if (carriage == Carriage::exact && (!scalarsOf(varying.type) || !varying.arraySuffix.empty()))
+            throw Error(ErrorKind::badShader, asked,
+                        "exact capture carries scalars, vectors and matrices of float, int and uint only",
+                        "split it up or capture with perVertex");
+        if (!isCounted(varyings, index) || !varying.arraySuffix.empty())
+            continue;
+        before += scalarsOf(varying, Carriage::direct);
+        after += scalarsOf(varying, carriage);
+        const bool isTooLong = before > limits.before;
+        if (isTooLong || (carriage != Carriage::direct && after > limits.after))
+            throw Error(ErrorKind::badShader, asked,
+                        "capture needs " + std::to_string(isTooLong ? before : after) +
+                            " scalars a vertex up to it and this driver has " +
+                            std::to_string(isTooLong ? limits.before : limits.after),
+                        "hand over fewer varyings");
+    }
+}
+
+std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carriage)
+{
+    const bool isExact = carriage == Carriage::exact;
+    std::string declarations, copies;
+    for (const Varying& varying : varyings) {
+        std::string declaration = qualifiers(varying) + "in " + varying.type + " " + varying.vertexName +
+                                  "[]" + varying.arraySuffix + ";\n";
+        std::string copy;
+        if (!isExact) {
+            declaration += carriedDeclaration(varying, qualifiers(varying) + "out", varying.arraySuffix);
+            copy = prefix + varying.name + " = " + varying.vertexName + "[" + prefix + "corner];\n";
+        }
+        for (int corner = isFlat(varying) ? 2 : 0; isExact && corner < 3; ++corner) {
+            const std::string number = std::to_string(corner);
+            declaration += carriedDeclaration(varying, "flat out", number);
+            copy += prefix + varying.name + number + " = " + varying.vertexName + "[" + number + "];\n";
+        }
+        declarations += onlyWhereDeclared(varying, declaration);
+        copies += onlyWhereDeclared(varying, copy);
+    }
+    const std::string parameters = isExact ? "()" : "(int " + prefix + "corner)";
+    return declarations + "void " + prefix + "copyVaryings" + parameters + "\n{\n" + copies + "}\n";
+}
+
+std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carriage)
+{
+    if (carriage == Carriage::direct)
+        return "void " + prefix + "readVaryings() {}\n";
+    std::string declarations, reads;
+    for (const Varying& varying : varyings) {
+        const std::string name = prefix + varying.name, weight = prefix + "weight";
+        if (carriage == Carriage::copied) {
+            declarations += onlyWhereDeclared(
+                varying, carriedDeclaration(varying, qualifiers(varying) + "in", varying.arraySuffix));
+            reads += onlyWhereDeclared(varying, varying.name + " = " + name + ";\n");
+            continue;
+        }
+        std::string declaration;
+        for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner)
+            declaration += carriedDeclaration(varying, "flat in", std::to_string(corner));
+        declarations += onlyWhereDeclared(varying, declaration);
+        const std::string interpolated = weight + ".x * " + name + "0 + " + weight + ".y * " + name + "1 + " +
+                                         weight + ".z * " + name + "2;\n";
+        reads += onlyWhereDeclared(varying,
+                                   varying.name + " = " + (isFlat(varying) ? name + "2;\n" : interpolated));
+    }
+    return declarations + "void " + prefix + "readVaryings()\n{\n" + reads + "}\n";
+}
+
+} // namespace mirrorball::capture

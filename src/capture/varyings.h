@@ -1,0 +1,67 @@
+// What the host's vertex shader hands to its fragment shader, and how capture programs carry it past the
+// geometry stage.
+#pragma once
+
+#include "capture/host_shader.h"
+
+#include <mirrorball/maps/maps.h>
+
+#include <string>
+#include <vector>
+
+namespace mirrorball::capture {
+
+// Names of the library's in capture programs; another prefix than pass 2's, so that a reflective object can
+// be drawn into another object's map with the snippet of pass 2 in its shader.
+inline const std::string prefix = "mirrorballCapture_";
+inline const std::string declarationMark = prefix + "declared"; // see HostShader::Changes::mark
+
+// A varying that the fragment shader declares and the vertex shader writes.
+struct Varying
+{
+    std::size_t declaration; // which of the fragment shader's; its mark says whether it is compiled in
+    std::string type, name, arraySuffix, interpolation, auxiliary;
+    std::string vertexName; // another one only where a layout location joins the two
+};
+
+std::vector<Varying> varyingsOf(const HostShader& vertex, const HostShader& fragment);
+
+// The output that receives the colour, and all others: those are written to nowhere.
+struct Outputs
+{
+    std::string colour;
+    std::vector<std::string> others;
+};
+
+Outputs outputsOf(const HostShader& fragment);
+
+// How varyings travel.
+enum class Carriage {
+    direct, // from the vertex stage to the fragment stage
+    copied, // through a geometry shader, vertex by vertex
+    exact   // all three vertices' at once, flat; interpolated in the fragment stage
+};
+
+// What the library's own varyings take beside the host's, in scalars, gl_Position included.
+int ownScalars(Carriage carriage);
+
+// Scalars that the geometry stage writes a vertex (that the vertex stage writes, for direct carriage).
+int scalarsOf(const std::vector<Varying>& varyings, Carriage carriage);
+
+// Throws Error badShader, which names the varying, where the driver has no room for one or it is of a type
+// that cannot be carried. vertices: how many the geometry stage writes at least for one triangle.
+void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices,
+                 const std::string& programName);
+
+// Whether the driver has room.
+bool hasRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices);
+
+// Declarations of the geometry stage and the function copyVaryings that hands on those of a corner (copied)
+// or of all three (exact).
+std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carriage);
+
+// Declarations of the fragment stage behind a geometry stage and the function readVaryings, which sets the
+// host's globals.
+std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carriage);
+
+} // namespace mirrorball::capture
