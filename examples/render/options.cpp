@@ -60,9 +60,18 @@ CommandLine::CommandLine(CLI::App& app)
     addCaptureOptions(app, options_);
     addReflectorOptions(app);
     addCameraOptions(app);
-    addChoice(app, "--lookup", options_.lookup, {{"infinite", mirrorball::Lookup::infinite}},
-              "how a reflected ray finds its place in the map")
-        ->check(notYet({"sphere", "box", "distance", "layered"}));
+    using mirrorball::Lookup;
+    addChoice<Lookup>(app, "--lookup", options_.lookup,
+                      {{"infinite", Lookup::infinite},
+                       {"sphere", Lookup::sphere},
+                       {"box", Lookup::box},
+                       {"distance", Lookup::distance}},
+                      "how a reflected ray finds its place in the map");
+    addOptionalVector(
+        app, "--proxy-low", options_.proxyLow,
+        "lower corner of the box, or of the ellipsoid's, that --lookup takes the surroundings for",
+        "the scene's");
+    addOptionalVector(app, "--proxy-high", options_.proxyHigh, "its upper corner", "the scene's");
     addChoice<View>(
         app, "--view", options_.view, {{"colour", View::colour}, {"position", View::position}},
         "what is written: the picture, or the world position of what is seen, in the mirrors too");
@@ -141,6 +150,8 @@ void requireAllowed(const Options& options)
         requireAllowed(reflector);
     requireFinite(options.eye.value_or(glm::dvec3(0.0)), "--eye");
     requireFinite(options.look.value_or(glm::dvec3(0.0)), "--look");
+    requireFinite(options.proxyLow.value_or(glm::dvec3(0.0)), "--proxy-low");
+    requireFinite(options.proxyHigh.value_or(glm::dvec3(0.0)), "--proxy-high");
     requireFinite(options.up, "--up");
     if (!(options.fov > 0.0 && options.fov < 180.0))
         throw Error(ErrorKind::badArgument, "--fov", "it is not between 0 and 180 degrees", "try 45");

@@ -110,6 +110,23 @@ double farthestFrom(const glm::dvec3& eye, const Setup& setup)
     return farthest;
 }
 
+// A box given by its corners, by default the one around the scene: what becomes of the cube [-1, 1]³.
+glm::dmat4 proxyOf(const Options& options, const Scene& scene)
+{
+    Box box;
+    for (const Mesh& mesh : scene.meshes)
+        for (const glm::vec3& position : mesh.positions)
+            box.add(glm::dvec3(position));
+    box.low = options.proxyLow.value_or(box.low);
+    box.high = options.proxyHigh.value_or(box.high);
+    const glm::dvec3 half = box.halfExtent();
+    glm::dmat4 worldFromProxy(1.0);
+    for (int axis = 0; axis < 3; ++axis)
+        worldFromProxy[axis][axis] = half[axis];
+    worldFromProxy[3] = glm::dvec4(box.low + half + scene.offset, 1.0);
+    return worldFromProxy;
+}
+
 } // namespace
 
 Setup setupOf(const Options& options)
@@ -121,6 +138,7 @@ Setup setupOf(const Options& options)
     setup.origin = setup.mirrors[0].reflector.at;
     setup.camera = cameraOf(options, setup.mirrors[0].reflector);
     setup.light = lightOf(options, setup.scene);
+    setup.worldFromProxy = proxyOf(options, setup.scene);
     setup.farthest = farthestFrom(setup.camera.eye, setup);
     return setup;
 }

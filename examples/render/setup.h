@@ -36,7 +36,8 @@ struct Setup
     glm::dvec3 light;
     // Everything is drawn relative to this point: the centre of the first reflector.
     glm::dvec3 origin;
-    double farthest; // at least the distance from the eye to anything there is
+    glm::dmat4 worldFromProxy; // what --lookup sphere and box take the surroundings for
+    double farthest;           // at least the distance from the eye to anything there is
 };
 
 // Reads the scene, the reflectors and their sources. Throws mirrorball::Error.

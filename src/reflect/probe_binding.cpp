@@ -10,11 +10,26 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include <cmath>
+
 namespace mirrorball {
 
 namespace {
 
 constexpr int units = 2; // colour, distance
+
+// 0 where the proxy has no inverse, or where floats cannot hold it.
+glm::mat4 proxyFromWorld(const glm::dmat4& worldFromProxy, const glm::dvec3& origin)
+{
+    glm::dmat4 relative = worldFromProxy;
+    relative[3] = glm::dvec4(glm::dvec3(relative[3]) - origin, 1.0);
+    const glm::mat4 inverse(glm::inverse(relative));
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(inverse[column][row]))
+                return glm::mat4(0.0f);
+    return inverse;
+}
 
 gl::Sampler makeSampler(GLenum filter)
 {
@@ -87,6 +102,8 @@ void ProbeBinding::Implementation::setUniforms(const ReflectionMap& map,
     const glm::vec3 centre(glm::dvec3(map.worldFromProbe[3]) - settings.origin);
     glUniform3fv(location("centreInWorld"), 1, glm::value_ptr(centre));
     glUniformMatrix4fv(location("worldFromView"), 1, GL_FALSE, glm::value_ptr(settings.worldFromView));
+    const glm::mat4 proxy = proxyFromWorld(settings.worldFromProxy, settings.origin);
+    glUniformMatrix4fv(location("proxyFromWorld"), 1, GL_FALSE, glm::value_ptr(proxy));
     glUniform1i(location("reflective"), settings.reflective ? 1 : 0);
     glUniform3fv(location("tint"), 1, glm::value_ptr(settings.tint));
     glUniform1f(location("blend"), settings.blend);

@@ -32,6 +32,9 @@ struct MaterialSettings
     glm::mat4 worldFromView{1.0f};  // for inputs in view space: the inverse of the view matrix
     glm::dvec3 origin{0.0};         // world positions given to the shader are relative to this point
     Filtering filtering = Filtering::linear;
+    // For Lookup::sphere and Lookup::box: an affine transformation of the unit sphere, or of the cube
+    // [-1, 1]³, onto what stands for the surroundings. Without an inverse everything is infinitely far.
+    glm::dmat4 worldFromProxy{0.0};
 };
 
 class MIRRORBALL_EXPORT ProbeBinding

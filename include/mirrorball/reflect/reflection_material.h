@@ -17,9 +17,12 @@
 
 namespace mirrorball {
 
-// How the map is looked up with a reflected ray.
+// How the map is looked up with a reflected ray; docs/reflection.md has what each is good for, measured.
 enum class Lookup {
-    infinite // as if everything were infinitely far: by the ray's direction alone
+    infinite, // as if everything were infinitely far: by the ray's direction alone
+    sphere,   // the surroundings are taken for an ellipsoid, MaterialSettings::worldFromProxy
+    box,      // … or for a box, which may be turned; neither need be centred on the probe
+    distance, // the ray is marched against the captured distances
 };
 
 MIRRORBALL_EXPORT std::optional<Lookup> lookupFromName(std::string_view name);

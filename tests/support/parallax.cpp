@@ -1,0 +1,131 @@
+#include "support/parallax.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tests {
+
+namespace {
+
+using mirrorball::Lookup;
+using mirrorball::MapKind;
+
+double encoded(double linear)
+{
+    const double value = glm::clamp(linear, 0.0, 1.0);
+    return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+}
+
+double angleInDegrees(const glm::dvec3& a, const glm::dvec3& b)
+{
+    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
+// The direction through the middle of each sample, the top row first.
+glm::dvec3 unitRay(const render::Camera& camera, int x, int y)
+{
+    const glm::dvec3 forward = glm::normalize(camera.look - camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double side = 2.0 * std::tan(0.5 * camera.fovInRadians) / camera.samples.y;
+    return glm::normalize(forward + side * ((x + 0.5 - 0.5 * camera.samples.x) * right -
+                                            (y + 0.5 - 0.5 * camera.samples.y) * up));
+}
+
+double psnrOf(const render::Picture& drawn, const render::Picture& traced)
+{
+    double sum = 0.0, count = 0.0;
+    for (std::size_t index = 0; index < traced.samples.size(); ++index) {
+        if (traced.reflectors[index] != 1 || drawn.reflectors[index] != 1)
+            continue;
+        for (int channel = 0; channel < 3; ++channel) {
+            const double difference = encoded(drawn.samples[index].colour[channel]) -
+                                      encoded(traced.samples[index].colour[channel]);
+            sum += difference * difference;
+            count += 1.0;
+        }
+    }
+    return -10.0 * std::log10(sum / count);
+}
+
+} // namespace
+
+render::Options renderOptions(const std::vector<std::string>& words)
+{
+    CLI::App app;
+    const render::CommandLine line(app);
+    std::vector<std::string> reversed = {"none.exr", "-o"};
+    reversed.insert(reversed.end(), words.rbegin(), words.rend());
+    app.parse(reversed);
+    return line.options();
+}
+
+ParallaxJudge::ParallaxJudge(const render::Options& options)
+    : options_(options), setup_(render::setupOf(options))
+{
+    options_.view = examples::View::position;
+    positions_ = render::tracePicture(setup_, options_);
+    options_.view = examples::View::colour;
+    colours_ = render::tracePicture(setup_, options_);
+}
+
+render::Picture ParallaxJudge::draw(MapKind map, Lookup lookup, examples::View view) const
+{
+    render::Options options = options_;
+    options.map = map;
+    options.lookup = lookup;
+    options.view = view;
+    examples::Stats unused;
+    return render::drawPicture(setup_, options, unused);
+}
+
+ParallaxErrors ParallaxJudge::judge(MapKind map, Lookup lookup) const
+{
+    const render::Picture drawn = draw(map, lookup, examples::View::position);
+    const glm::dvec3 centre = setup_.mirrors[0].reflector.at;
+    ParallaxErrors errors;
+    std::vector<double> angles;
+    int wrong = 0, grazing = 0, grazingWrong = 0;
+    for (int y = 0; y < drawn.size.y; ++y)
+        for (int x = 0; x < drawn.size.x; ++x) {
+            const std::size_t index = static_cast<std::size_t>(y * drawn.size.x + x);
+            const glm::dvec3& expected = positions_.samples[index].colour;
+            if (positions_.reflectors[index] != 1 || drawn.reflectors[index] != 1 || std::isnan(expected.x))
+                continue;
+            const glm::dvec3 ray = unitRay(setup_.camera, x, y);
+            const glm::dvec3 surface =
+                setup_.camera.eye + static_cast<double>(positions_.samples[index].distance) * ray;
+            const double length = glm::distance(surface, expected);
+            // The normal halves the angle between the eye and what is mirrored.
+            const double cosine =
+                std::sqrt(std::max(0.0, 0.5 * (1.0 - glm::dot(ray, (expected - surface) / length))));
+            const glm::dvec3& shown = drawn.samples[index].colour;
+            const bool isWrong = !(glm::distance(shown, expected) <= 0.03 * (1.0 + length));
+            if (cosine < 0.1) {
+                ++grazing;
+                grazingWrong += isWrong ? 1 : 0;
+                continue;
+            }
+            wrong += isWrong ? 1 : 0;
+            ++errors.pixels;
+            angles.push_back(std::isnan(shown.x) ? 180.0 : angleInDegrees(shown - centre, expected - centre));
+        }
+    const auto place =
+        angles.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(angles.size()));
+    std::nth_element(angles.begin(), place, angles.end());
+    errors.p95 = *place;
+    for (const double angle : angles) {
+        errors.mean += angle / static_cast<double>(angles.size());
+        errors.max = std::max(errors.max, angle);
+    }
+    errors.wrongPercent = 100.0 * wrong / errors.pixels;
+    errors.grazingWrongPercent = grazing > 0 ? 100.0 * grazingWrong / grazing : 0.0;
+    errors.psnr = psnrOf(draw(map, lookup, examples::View::colour), colours_);
+    return errors;
+}
+
+} // namespace tests

@@ -1,0 +1,45 @@
+// How far a mirror's picture is from the traced one: where it shows the wrong surface, and how the shaded
+// pictures differ.
+#pragma once
+
+#include "draw.h"
+#include "trace.h"
+
+#include <string>
+#include <vector>
+
+namespace tests {
+
+// Over the pixels of the first reflector in which something is mirrored.
+struct ParallaxErrors
+{
+    int pixels = 0;
+    // Between the surface shown and the one that should be, seen from the probe, in degrees.
+    double mean = 0.0, p95 = 0.0, max = 0.0;
+    // Share of pixels that show a position more than 0.03 * (1 + length of the reflected ray) off, or none;
+    // grazing ones, where the cosine between normal and eye is below 0.1, count for themselves.
+    double wrongPercent = 0.0, grazingWrongPercent = 0.0;
+    double psnr = 0.0; // decibels, of the sRGB encoded colours
+};
+
+// The traced pictures of one setup, and drawn ones against them.
+class ParallaxJudge
+{
+public:
+    // `options` as on render's command line; its map, look-up and view do not matter.
+    explicit ParallaxJudge(const render::Options& options);
+
+    ParallaxErrors judge(mirrorball::MapKind map, mirrorball::Lookup lookup) const;
+
+private:
+    render::Picture draw(mirrorball::MapKind map, mirrorball::Lookup lookup, examples::View view) const;
+
+    render::Options options_;
+    render::Setup setup_;
+    render::Picture positions_, colours_;
+};
+
+// A command line of render, parsed. The output need not be given.
+render::Options renderOptions(const std::vector<std::string>& words);
+
+} // namespace tests
