@@ -170,7 +170,6 @@ void testRender(const Subject& render, const BadScenes& scenes)
     render.refusesEach(misused, {{"--ior", "1.5"},
                                  {"--roughness", "0.5"},
                                  {"--blur", "3,1"},
-                                 {"--lookup", "distance"},
                                  {"--lookup", "telepathy"},
                                  {"--material", "glass"},
                                  {"--material", "cheese"},
