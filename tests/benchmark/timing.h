@@ -26,7 +26,7 @@ struct Timing
 // Whether the current context draws on the CPU.
 bool isSoftwareRasteriser();
 
-// `warmUp` frames that are not measured, then `frames`; a contender whose first frame takes longer than a
+// `warmUp` frames that are not measured, then `frames`; a contender whose second frame takes longer than a
 // second is drawn only twice more, after all warm-up. `afterEach` is called after every frame of one, drawn
 // or not.
 std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contenders, int warmUp, int frames,
