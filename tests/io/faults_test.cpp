@@ -72,7 +72,7 @@ void everyDamageIsSurvived(const tests::Scratch& scratch, const std::vector<Samp
 {
     std::mt19937 random(2);
     for (const Sample& sample : all)
-        for (int round = 0; round < 1500; ++round) {
+        for (int round = 0; round < 500; ++round) {
             std::string bytes = sample.bytes;
             // Half of the damage goes into the first 64 bytes, where the sizes are.
             for (int k = 0; k < 1 + round % 3; ++k)
