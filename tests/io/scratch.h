@@ -45,7 +45,8 @@ inline std::string bytesOf(const std::filesystem::path& path)
 
 inline void store(const std::filesystem::path& path, const std::string& bytes)
 {
-    std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+    std::filesystem::remove(path); // ext4 waits for the disk where a file is truncated and written anew
+    std::ofstream stream(path, std::ios::binary);
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     CHECK(stream.good());
 }
