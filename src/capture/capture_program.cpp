@@ -153,7 +153,8 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("CLIPS_RANGE", variant.path == Path::linear) +
            define("DROPS_SMEAR", variant.path == Path::textbook && wraps) +
            define("PERSPECTIVE", variant.path == Path::mapped) + define("CUTS", cuts(variant)) +
-           define("ALL_AT_ONCE", variant.layers == LayerOrder::allAtOnce) + coverDefines(variant.map);
+           define("ALL_AT_ONCE", variant.layers == LayerOrder::allAtOnce) +
+           define("PEELS", variant.peels) + coverDefines(variant.map);
 }
 
 // The texts of one capture program, put together around the host's.
@@ -228,6 +229,7 @@ public:
         const bool dropsSmear = defines_.find("DROPS_SMEAR 1") != std::string::npos;
         changes.prelude += ours() + define("READS_FRONT_FACING", facing) +
                            define("READS_PRIMITIVE_ID", primitive) + (isExact() || dropsSmear ? map_ : "") +
+                           std::string(shaders::fragmentPeel) +
                            std::string(isExact() ? shaders::fragmentExact : shaders::fragmentInterpolated);
         return host_.fragment.versionLine() + host_.fragment.body(changes) + "#line 1 1\n" +
                fragmentVaryings(host_.varyings, carriage_) + std::string(shaders::fragmentMain);
@@ -276,6 +278,9 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     result.inwardPlanes = location("inwardPlanes");
     result.lineFromDirection = location("lineFromDirection");
     result.cullBackFaces = location("cullBackFaces");
+    result.firstDistance = location("firstDistance");
+    result.layer = location("layer");
+    result.separation = location("separation");
     result.writesDepth = variant.path == Path::exact;
     result.usesClipDistances = cuts(variant);
     return result;

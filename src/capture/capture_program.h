@@ -29,7 +29,8 @@ struct Variant
     Path path;
     LayerOrder layers;
     DepthTerm depthTerm;
-    bool large; // exact: of triangles that span many degrees, worth a closely fitting polygon each
+    bool large;         // exact: of triangles that span many degrees, worth a closely fitting polygon each
+    bool peels = false; // draws only what lies behind the first layer of depth; one view at a time
 
     auto operator<=>(const Variant&) const = default;
 };
@@ -39,7 +40,7 @@ struct LinkedProgram
     gl::Program program;
     // Uniform locations; -1 where a variant has none.
     int probeFromWorld, view, depth, range, size, clipFromDirection, inwardPlanes, lineFromDirection,
-        cullBackFaces;
+        cullBackFaces, firstDistance, layer, separation;
     bool usesClipDistances;
     bool writesDepth;
 };

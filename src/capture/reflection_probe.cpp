@@ -83,6 +83,16 @@ glm::dvec2 reversedDepth(double near, double far, bool zeroToOne)
     return zeroToOne ? glm::dvec2(a, b) : glm::dvec2(2.0 * a - 1.0, 2.0 * b);
 }
 
+// True while it lives.
+struct RaisedFlag
+{
+    explicit RaisedFlag(bool& given) : flag(given) { flag = true; }
+    ~RaisedFlag() { flag = false; }
+    RaisedFlag(const RaisedFlag&) = delete;
+    RaisedFlag& operator=(const RaisedFlag&) = delete;
+    bool& flag;
+};
+
 } // namespace
 
 struct ReflectionProbe::Implementation
@@ -93,6 +103,9 @@ struct ReflectionProbe::Implementation
     MapSize size{};
     gl::Texture depth;
     capture::MapTextures front, back; // what pass 2 reads, and what a capture draws into
+    capture::MapTextures hiddenFront, hiddenBack; // the same for the second layer of depth, if there is one
+    int peelUnit = -1;                            // the texture unit through which it sees the first
+    bool peeling = false;                         // drawing the second layer
     ReflectionMap map;
     bool capturing = false;
     CaptureReport report;
@@ -106,10 +119,12 @@ struct ReflectionProbe::Implementation
     void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     // Everything that may fail in a capture, before the state is touched.
-    void compile(std::span<const CaptureMesh> meshes) const;
+    void compile(std::span<const CaptureMesh> meshes);
     capture::Variant variantOf(const CaptureMesh& mesh, int view) const;
     void drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw);
     void setUniforms(const LinkedProgram& linked, int view) const;
+    void bindFirstLayer() const;
+    void drawSecondLayer(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     void publish();
 };
 
@@ -128,6 +143,11 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
         throw Error(ErrorKind::badArgument, "textbook depth terms",
                     "there are none for this method on the " + std::string(mapInfo(desc.map).name) + " map",
                     "use perVertex on tennis-ball or dual-paraboloid");
+    if (desc.layersOfDepth < 1 || desc.layersOfDepth > 2 || !(desc.layerSeparation >= 0.0f))
+        throw Error(ErrorKind::badArgument, "a probe's layers of depth",
+                    std::to_string(desc.layersOfDepth) + ", separated by " +
+                        std::to_string(desc.layerSeparation),
+                    "ask for 1 or 2, separated by 0 or more");
     size = capture::mapSize(desc.map, desc.n);
 
     const gl::StateGuard guard(0, 1);
@@ -137,6 +157,13 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
     front = capture::makeMapTextures(size, desc.colour, depth);
     back = capture::makeMapTextures(size, desc.colour, depth);
     clear(front);
+    if (desc.layersOfDepth == 2) {
+        hiddenFront = capture::makeMapTextures(size, desc.colour, depth);
+        hiddenBack = capture::makeMapTextures(size, desc.colour, depth);
+        // The host's materials use the first ones.
+        peelUnit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 1;
+        clear(hiddenFront);
+    }
     publish();
 }
 
@@ -190,6 +217,12 @@ void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, i
     glUniform2f(linked.range, near, desc.far);
     glUniform2f(linked.size, static_cast<float>(size.width), static_cast<float>(size.height));
 
+    if (linked.firstDistance >= 0) {
+        glUniform1i(linked.firstDistance, peelUnit);
+        glUniform1i(linked.layer, capture::layerOfView(desc.map, view));
+        glUniform1f(linked.separation, desc.layerSeparation);
+    }
+
     const capture::LinearRange reach = capture::isPiecewiseLinear(desc.map) ? capture::linearRange(desc.map)
                                                                             : capture::LinearRange{1.0, 1.0};
     const bool zeroToOne = linked.writesDepth || hasClipControl();
@@ -215,6 +248,7 @@ capture::Variant ReflectionProbe::Implementation::variantOf(const CaptureMesh& m
 {
     capture::Variant variant{desc.map, Path::exact, view < 0 ? LayerOrder::allAtOnce : LayerOrder::oneAtATime,
                              desc.depthTerm, true};
+    variant.peels = peeling;
     // Triangles that span less than this are nearly straight on the map, and a simple polygon covers each
     // closely.
     constexpr double largeSpan = 0.45;
@@ -245,7 +279,10 @@ void ReflectionProbe::Implementation::drawMesh(const CaptureMesh& mesh, int view
     const LinkedProgram& linked = mesh.program->implementation().program(variant);
     // Set again for every draw: the callback may have changed any of it.
     const auto layer = static_cast<std::size_t>(view < 0 ? 0 : capture::layerOfView(desc.map, view));
-    glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? back.allLayers.name() : back.layers[layer].name());
+    const capture::MapTextures& target = peeling ? hiddenBack : back;
+    glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? target.allLayers.name() : target.layers[layer].name());
+    if (peeling)
+        bindFirstLayer();
     glViewport(0, 0, size.width, size.height);
     glUseProgram(linked.program.name());
     setUniforms(linked, view);
@@ -261,6 +298,23 @@ void ReflectionProbe::Implementation::drawMesh(const CaptureMesh& mesh, int view
     report.drawsExact += path == Path::exact ? 1 : 0;
     report.drawsMapped += path == Path::mapped ? 1 : 0;
     report.triangles += mesh.triangles;
+}
+
+void ReflectionProbe::Implementation::bindFirstLayer() const
+{
+    const GLint active = gl::integer(GL_ACTIVE_TEXTURE);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLuint>(peelUnit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, back.distance.name());
+    glBindSampler(static_cast<GLuint>(peelUnit), 0);
+    glActiveTexture(static_cast<GLenum>(active));
+}
+
+void ReflectionProbe::Implementation::drawSecondLayer(std::span<const CaptureMesh> meshes,
+                                                      const DrawMesh& draw)
+{
+    const RaisedFlag raised(peeling);
+    clear(hiddenBack);
+    drawOneAtATime(meshes, draw);
 }
 
 void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh> meshes,
@@ -288,8 +342,14 @@ void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh>
     }
 }
 
-void ReflectionProbe::Implementation::compile(std::span<const CaptureMesh> meshes) const
+void ReflectionProbe::Implementation::compile(std::span<const CaptureMesh> meshes)
 {
+    if (desc.layersOfDepth == 2) {
+        const RaisedFlag raised(peeling);
+        for (const CaptureMesh& mesh : meshes)
+            for (int view = 0; view < capture::viewCount(desc.map); ++view)
+                mesh.program->implementation().program(variantOf(mesh, view));
+    }
     const bool together = desc.layers == LayerOrder::allAtOnce;
     for (const CaptureMesh& mesh : meshes)
         for (int view = together ? -1 : 0; view < (together ? 0 : capture::viewCount(desc.map)); ++view)
@@ -304,7 +364,8 @@ void ReflectionProbe::Implementation::place()
 
 void ReflectionProbe::Implementation::publish()
 {
-    map = {desc.map, desc.n, front.colour.name(), front.distance.name(), pose.worldFromProbe};
+    map = {desc.map, desc.n, front.colour.name(), front.distance.name(), pose.worldFromProbe,
+           hiddenFront.colour.name(), hiddenFront.distance.name()};
 }
 
 ReflectionProbe::ReflectionProbe(const Desc& desc) : implementation_(std::make_unique<Implementation>(desc))
@@ -366,13 +427,8 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
     self.place();
     self.compile(meshes);
 
-    struct Capturing
-    {
-        explicit Capturing(bool& given) : flag(given) { flag = true; }
-        ~Capturing() { flag = false; }
-        bool& flag;
-    } capturing(self.capturing);
-    const gl::StateGuard guard;
+    const RaisedFlag capturing(self.capturing);
+    const gl::StateGuard guard(std::max(self.peelUnit, 0), self.peelUnit < 0 ? 0 : 1);
     guard.neutralise();
     if (self.desc.depthTerm == DepthTerm::radial) {
         glDepthFunc(GL_GREATER);
@@ -388,7 +444,10 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
         self.drawAllAtOnce(meshes, draw);
     else
         self.drawOneAtATime(meshes, draw);
+    if (self.desc.layersOfDepth == 2)
+        self.drawSecondLayer(meshes, draw);
     std::swap(self.front, self.back);
+    std::swap(self.hiddenFront, self.hiddenBack);
     self.publish();
     return self.report;
 }

@@ -112,6 +112,12 @@ public:
             1.0f / 16.0f; // texels that automatic may be off by, in direction and relative distance
         LayerOrder layers = LayerOrder::oneAtATime;
         DepthTerm depthTerm = DepthTerm::radial;
+        // 2: behind the first surface of each direction another one is captured, for Lookup::layered: the
+        // nearest that is farther by layerSeparation, relative to the first distance (a minimum separation, as
+        // in Mara, McGuire, Nowrouzezahrai, Luebke, "Deep G-buffers for stable global illumination
+        // approximation", 2016), so that it is what the first one hides and not its own back.
+        int layersOfDepth = 1;
+        float layerSeparation = 0.1f;
     };
 
     using DrawMesh = std::function<void(const CaptureMesh&, const CaptureDraw&)>;

@@ -15,6 +15,9 @@ struct ReflectionMap
     unsigned int distanceTexture =
         0; // borrowed; GL_TEXTURE_2D_ARRAY, radial distance in world units; 0 if unknown
     glm::dmat4 worldFromProbe{1.0}; // rotation and translation: where directions are measured from
+    // The second layer of depth, what the first hides; 0 if there is none.
+    unsigned int hiddenColourTexture = 0;
+    unsigned int hiddenDistanceTexture = 0;
 };
 
 } // namespace mirrorball

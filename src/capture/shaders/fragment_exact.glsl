@@ -36,7 +36,7 @@ void mirrorballCapture_begin()
 void mirrorballCapture_end()
 {
     // After the host's main, so that its texture look-ups have derivatives everywhere.
-    if (!mirrorballCapture_hit)
+    if (!mirrorballCapture_hit || !mirrorballCapture_isHidden(mirrorballCapture_radius))
         discard;
     gl_FragDepth = mirrorballCapture_depth.x + mirrorballCapture_depth.y / mirrorballCapture_radius;
     mirrorballCapture_distance = mirrorballCapture_radius;

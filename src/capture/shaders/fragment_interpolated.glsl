@@ -23,5 +23,7 @@ void mirrorballCapture_end()
     if (any(greaterThan(abs(square - here), vec2(0.0625))))
         discard;
 #endif
+    if (!mirrorballCapture_isHidden(radius))
+        discard;
     mirrorballCapture_distance = radius;
 }
