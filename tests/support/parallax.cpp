@@ -36,6 +36,11 @@ glm::dvec3 unitRay(const render::Camera& camera, int x, int y)
                                             (y + 0.5 - 0.5 * camera.samples.y) * up));
 }
 
+bool isNothing(const glm::dvec3& position)
+{
+    return std::isnan(position.x);
+}
+
 double psnrOf(const render::Picture& drawn, const render::Picture& traced)
 {
     double sum = 0.0, count = 0.0;
@@ -94,16 +99,18 @@ ParallaxErrors ParallaxJudge::judge(MapKind map, Lookup lookup) const
         for (int x = 0; x < drawn.size.x; ++x) {
             const std::size_t index = static_cast<std::size_t>(y * drawn.size.x + x);
             const glm::dvec3& expected = positions_.samples[index].colour;
-            if (positions_.reflectors[index] != 1 || drawn.reflectors[index] != 1 || std::isnan(expected.x))
+            const glm::dvec3& shown = drawn.samples[index].colour;
+            if (positions_.reflectors[index] != 1 || drawn.reflectors[index] != 1 ||
+                (isNothing(expected) && isNothing(shown)))
                 continue;
             const glm::dvec3 ray = unitRay(setup_.camera, x, y);
             const glm::dvec3 surface =
                 setup_.camera.eye + static_cast<double>(positions_.samples[index].distance) * ray;
-            const double length = glm::distance(surface, expected);
+            const glm::dvec3& mirrored = isNothing(expected) ? shown : expected;
+            const double length = glm::distance(surface, mirrored);
             // The normal halves the angle between the eye and what is mirrored.
             const double cosine =
-                std::sqrt(std::max(0.0, 0.5 * (1.0 - glm::dot(ray, (expected - surface) / length))));
-            const glm::dvec3& shown = drawn.samples[index].colour;
+                std::sqrt(std::max(0.0, 0.5 * (1.0 - glm::dot(ray, (mirrored - surface) / length))));
             const bool isWrong = !(glm::distance(shown, expected) <= 0.03 * (1.0 + length));
             if (cosine < 0.1) {
                 ++grazing;
@@ -112,7 +119,8 @@ ParallaxErrors ParallaxJudge::judge(MapKind map, Lookup lookup) const
             }
             wrong += isWrong ? 1 : 0;
             ++errors.pixels;
-            angles.push_back(std::isnan(shown.x) ? 180.0 : angleInDegrees(shown - centre, expected - centre));
+            if (!isNothing(shown) && !isNothing(expected))
+                angles.push_back(angleInDegrees(shown - centre, expected - centre));
         }
     const auto place =
         angles.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(angles.size()));

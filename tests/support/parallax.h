@@ -10,11 +10,12 @@
 
 namespace tests {
 
-// Over the pixels of the first reflector in which something is mirrored.
+// Over the pixels of the first reflector in which something is mirrored, or shown as if.
 struct ParallaxErrors
 {
     int pixels = 0;
-    // Between the surface shown and the one that should be, seen from the probe, in degrees.
+    // Between the surface shown and the one that should be, seen from the probe, in degrees; where one of
+    // them is nothing the pixel is wrong and has no angle.
     double mean = 0.0, p95 = 0.0, max = 0.0;
     // Share of pixels that show a position more than 0.03 * (1 + length of the reflected ray) off, or none;
     // grazing ones, where the cosine between normal and eye is below 0.1, count for themselves.
