@@ -52,6 +52,30 @@ void requireComplete(const MapSize& size)
                     "try a smaller map or another format");
 }
 
+// depth: 0 for none.
+void attach(MapTextures& textures, const MapSize& size, unsigned int colour, unsigned int distance,
+            unsigned int depth)
+{
+    for (int layer = 0; layer < size.layers; ++layer) {
+        textures.layers.push_back(gl::Framebuffer::create());
+        glBindFramebuffer(GL_FRAMEBUFFER, textures.layers.back().name());
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour, 0, layer);
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, distance, 0, layer);
+        if (depth != 0)
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth, 0, layer);
+        glDrawBuffers(2, drawBuffers.data());
+        requireComplete(size);
+    }
+    textures.allLayers = gl::Framebuffer::create();
+    glBindFramebuffer(GL_FRAMEBUFFER, textures.allLayers.name());
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour, 0);
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, distance, 0);
+    if (depth != 0)
+        glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth, 0);
+    glDrawBuffers(2, drawBuffers.data());
+    requireComplete(size);
+}
+
 } // namespace
 
 MapSize mapSize(MapKind map, int n)
@@ -60,16 +84,21 @@ MapSize mapSize(MapKind map, int n)
     return {info.widthInN * n, info.heightInN * n, info.components};
 }
 
-void requireMapSize(MapKind map, int n)
+void requireMapSize(MapKind map, int n, int supersample)
 {
-    const std::string asked = "a " + std::string(mapInfo(map).name) + " map of size " + std::to_string(n);
+    const std::string asked = "a " + std::string(mapInfo(map).name) + " map of size " + std::to_string(n) +
+                              (supersample == 1 ? ""
+                                                : " with " + std::to_string(supersample) + " x " +
+                                                      std::to_string(supersample) + " samples a texel");
     if (n < 1)
         throw Error(ErrorKind::badArgument, asked, "a map has at least 1 texel across", "ask for 1 or more");
+    if (supersample < 1)
+        throw Error(ErrorKind::badArgument, asked, "a texel has at least 1 sample", "ask for 1 or more");
     const MapInfo& info = mapInfo(map);
     const int largest =
         std::min(gl::integer(GL_MAX_TEXTURE_SIZE),
                  std::min(gl::integer(GL_MAX_VIEWPORT_DIMS), gl::integer(GL_MAX_RENDERBUFFER_SIZE)));
-    const int limit = largest / std::max(info.widthInN, info.heightInN);
+    const int limit = largest / std::max(info.widthInN, info.heightInN) / supersample;
     if (n > limit)
         throw Error(ErrorKind::badArgument, asked, "this driver's limit is " + std::to_string(limit),
                     "ask for that or less");
@@ -80,27 +109,19 @@ gl::Texture makeDepth(const MapSize& size)
     return makeLayers(size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_NEAREST);
 }
 
-MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture& depth)
+MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture* depth)
 {
     MapTextures result;
     result.colour = makeLayers(size, internalFormat(format), GL_RGBA, GL_LINEAR);
     result.distance = makeLayers(size, GL_R32F, GL_RED, GL_NEAREST);
-    for (int layer = 0; layer < size.layers; ++layer) {
-        result.layers.push_back(gl::Framebuffer::create());
-        glBindFramebuffer(GL_FRAMEBUFFER, result.layers.back().name());
-        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, result.colour.name(), 0, layer);
-        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, result.distance.name(), 0, layer);
-        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.name(), 0, layer);
-        glDrawBuffers(2, drawBuffers.data());
-        requireComplete(size);
-    }
-    result.allLayers = gl::Framebuffer::create();
-    glBindFramebuffer(GL_FRAMEBUFFER, result.allLayers.name());
-    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, result.colour.name(), 0);
-    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, result.distance.name(), 0);
-    glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.name(), 0);
-    glDrawBuffers(2, drawBuffers.data());
-    requireComplete(size);
+    attach(result, size, result.colour.name(), result.distance.name(), depth == nullptr ? 0 : depth->name());
+    return result;
+}
+
+MapTextures borrowMapTextures(const MapSize& size, unsigned int colour, unsigned int distance)
+{
+    MapTextures result;
+    attach(result, size, colour, distance, 0);
     return result;
 }
 

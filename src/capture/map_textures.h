@@ -16,7 +16,7 @@ struct MapSize
 MapSize mapSize(MapKind map, int n);
 
 // Throws Error badArgument when the driver's limits are exceeded, before anything is allocated.
-void requireMapSize(MapKind map, int n);
+void requireMapSize(MapKind map, int n, int supersample = 1);
 
 // Colour and distance: what a capture leaves behind.
 struct MapTextures
@@ -27,9 +27,12 @@ struct MapTextures
     gl::Framebuffer allLayers;           // layered
 };
 
-// A depth texture with all layers, and textures that share it. Bind nothing of the host's: call inside a
-// StateGuard.
+// A depth texture with all layers, and textures that share it (none for nullptr). Bind nothing of the host's:
+// call inside a StateGuard.
 gl::Texture makeDepth(const MapSize& size);
-MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture& depth);
+MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture* depth);
+
+// Framebuffers around the host's textures; colour and distance stay empty.
+MapTextures borrowMapTextures(const MapSize& size, unsigned int colour, unsigned int distance);
 
 } // namespace mirrorball::capture

@@ -1,8 +1,10 @@
 #include <mirrorball/capture/reflection_probe.h>
 
 #include "capture/capture_program.h"
+#include "capture/copies.h"
 #include "capture/error_law.h"
 #include "capture/map_textures.h"
+#include "capture/pose.h"
 #include "capture/views.h"
 #include "gl/context.h"
 #include "gl/state_guard.h"
@@ -25,46 +27,8 @@ namespace {
 using capture::LinkedProgram;
 using capture::MapSize;
 using capture::Path;
-
-// The rotation and translation of a pose with uniform scale, and the scale.
-struct Pose
-{
-    glm::dmat4 worldFromProbe; // rigid
-    double scale;
-};
-
-Pose rigidPose(const glm::dmat4& worldFromProbe)
-{
-    const std::string asked = "a probe's pose";
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(worldFromProbe[column][row]))
-                throw Error(ErrorKind::badArgument, asked, "an element is not finite", "give finite numbers");
-    const glm::dmat3 linear(worldFromProbe);
-    const double scale = std::cbrt(std::abs(glm::determinant(linear)));
-    if (!(scale > 0.0))
-        throw Error(ErrorKind::badArgument, asked, "its scale is 0", "give a scale above 0");
-    const glm::dmat3 rotation = linear / scale;
-    // Rounding of a host's float matrices stays far below this; shear or unequal scale lies far above it.
-    constexpr double tolerance = 1e-3;
-    const glm::dmat3 unit = glm::transpose(rotation) * rotation;
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            if (std::abs(unit[column][row] - (column == row ? 1.0 : 0.0)) > tolerance)
-                throw Error(ErrorKind::badArgument, asked, "it is not a rotation with uniform scale",
-                            "leave out shear and unequal scale");
-    if (glm::determinant(rotation) < 0.0)
-        throw Error(ErrorKind::badArgument, asked, "it mirrors", "give a rotation with positive scale");
-    glm::dmat4 rigid(rotation);
-    rigid[3] = glm::dvec4(glm::dvec3(worldFromProbe[3]), 1.0);
-    return {rigid, scale};
-}
-
-void requireFinite(const glm::dvec3& point, const std::string& asked)
-{
-    if (!(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)))
-        throw Error(ErrorKind::badArgument, asked, "a coordinate is not finite", "give finite numbers");
-}
+using capture::Pose;
+using capture::rigidPose;
 
 bool hasClipControl()
 {
@@ -100,12 +64,15 @@ struct ReflectionProbe::Implementation
     Desc desc;
     Pose pose{};
     float near = 0.0f;
-    MapSize size{};
+    MapSize size{};     // of a layer
+    MapSize drawSize{}; // the same in samples
     gl::Texture depth;
-    capture::MapTextures front, back; // what pass 2 reads, and what a capture draws into
+    capture::MapTextures front, back;             // what pass 2 reads, and what the next capture fills
     capture::MapTextures hiddenFront, hiddenBack; // the same for the second layer of depth, if there is one
-    int peelUnit = -1;                            // the texture unit through which it sees the first
-    bool peeling = false;                         // drawing the second layer
+    capture::MapTextures samples, hiddenSamples;  // what is drawn into with several samples a texel
+    capture::Copies copies;
+    int peelUnit = -1;    // the texture unit through which it sees the first
+    bool peeling = false; // drawing the second layer
     ReflectionMap map;
     bool capturing = false;
     CaptureReport report;
@@ -113,28 +80,40 @@ struct ReflectionProbe::Implementation
     explicit Implementation(const Desc& given);
     void checkRange();
     void place();
-    void clear(const capture::MapTextures& textures) const;
+    void clear(const capture::MapTextures& textures, const MapSize& viewport) const;
     glm::dmat4 probeFromWorld() const; // from positions relative to captureOrigin
     bool touches(int view, const Sphere& bounds) const;
+    bool touches(int view, const Box& bounds) const;
+    bool isBorrowed() const { return desc.colourTexture != 0; }
+    bool isSupersampled() const { return desc.supersample > 1; }
+    // What is drawn into now.
+    const capture::MapTextures& target() const;
+    void makeTextures();
+    void requireReady() const;
+    CaptureReport fill(const std::function<void()>& drawLayerOfDepth);
+    void finish();
     void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
+    bool fitsAtOnce(const CaptureMesh& mesh) const;
     // Everything that may fail in a capture, before the state is touched.
     void compile(std::span<const CaptureMesh> meshes);
     capture::Variant variantOf(const CaptureMesh& mesh, int view) const;
-    void drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw);
+    unsigned int use(const CaptureMesh& mesh, int view);
     void setUniforms(const LinkedProgram& linked, int view) const;
     void bindFirstLayer() const;
-    void drawSecondLayer(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     void publish();
 };
 
 ReflectionProbe::Implementation::Implementation(const Desc& given)
     : desc(given), pose(rigidPose(given.worldFromProbe))
 {
-    requireFinite(desc.captureOrigin, "a capture origin");
+    capture::requireFinite(desc.captureOrigin, "a capture origin");
     checkRange();
     gl::requireContext();
-    capture::requireMapSize(desc.map, desc.n);
+    capture::requireMapSize(desc.map, desc.n, desc.supersample);
+    if ((desc.colourTexture == 0) != (desc.distanceTexture == 0))
+        throw Error(ErrorKind::badArgument, "a map that the host owns",
+                    "only one of its two textures is given", "give colour and distance, or neither");
     if (!(desc.epsilon > 0.0f))
         throw Error(ErrorKind::badArgument, "a probe's epsilon", "it is " + std::to_string(desc.epsilon),
                     "give a number of texels above 0");
@@ -149,22 +128,45 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
                         std::to_string(desc.layerSeparation),
                     "ask for 1 or 2, separated by 0 or more");
     size = capture::mapSize(desc.map, desc.n);
-
+    drawSize = capture::mapSize(desc.map, desc.n * desc.supersample);
     const gl::StateGuard guard(0, 1);
     guard.neutralise();
     glActiveTexture(GL_TEXTURE0);
-    depth = capture::makeDepth(size);
-    front = capture::makeMapTextures(size, desc.colour, depth);
-    back = capture::makeMapTextures(size, desc.colour, depth);
-    clear(front);
-    if (desc.layersOfDepth == 2) {
-        hiddenFront = capture::makeMapTextures(size, desc.colour, depth);
-        hiddenBack = capture::makeMapTextures(size, desc.colour, depth);
-        // The host's materials use the first ones.
-        peelUnit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 1;
-        clear(hiddenFront);
-    }
+    makeTextures();
     publish();
+}
+
+void ReflectionProbe::Implementation::makeTextures()
+{
+    if (isBorrowed()) {
+        capture::bindBorrowed(desc.colourTexture, GL_TEXTURE_2D_ARRAY, size, "a host's colour texture");
+        capture::bindBorrowed(desc.distanceTexture, GL_TEXTURE_2D_ARRAY, size, "a host's distance texture");
+    }
+    depth = capture::makeDepth(drawSize);
+    const gl::Texture* const depthOfTexels = isSupersampled() ? nullptr : &depth;
+    const auto make = [&] { return capture::makeMapTextures(size, desc.colour, depthOfTexels); };
+    front =
+        isBorrowed() ? capture::borrowMapTextures(size, desc.colourTexture, desc.distanceTexture) : make();
+    back = make();
+    clear(front, size);
+    if (isSupersampled())
+        samples = capture::makeMapTextures(drawSize, desc.colour, &depth);
+    if (desc.layersOfDepth < 2)
+        return;
+    hiddenFront = make();
+    hiddenBack = make();
+    clear(hiddenFront, size);
+    if (isSupersampled())
+        hiddenSamples = capture::makeMapTextures(drawSize, desc.colour, &depth);
+    // The host's materials use the first ones.
+    peelUnit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 1;
+}
+
+const capture::MapTextures& ReflectionProbe::Implementation::target() const
+{
+    if (isSupersampled())
+        return peeling ? hiddenSamples : samples;
+    return peeling ? hiddenBack : back;
 }
 
 void ReflectionProbe::Implementation::checkRange()
@@ -198,10 +200,36 @@ bool ReflectionProbe::Implementation::touches(int view, const Sphere& bounds) co
     return capture::viewTouches(desc.map, view, centre, radius);
 }
 
-void ReflectionProbe::Implementation::clear(const capture::MapTextures& textures) const
+bool ReflectionProbe::Implementation::touches(int view, const Box& bounds) const
+{
+    // Spheres around parts of a box fit closely where one around a long or flat box would not.
+    constexpr double partsAlongLongest = 8.0;
+    const glm::dvec3 low(bounds.low), extent = glm::dvec3(bounds.high) - low;
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    if (!(std::min({extent.x, extent.y, extent.z}) >= 0.0) || !std::isfinite(longest))
+        return true; // no box: nothing is known
+    glm::ivec3 parts(1);
+    for (int axis = 0; axis < 3 && longest > 0.0; ++axis)
+        parts[axis] = std::max(1, static_cast<int>(std::ceil(extent[axis] * partsAlongLongest / longest)));
+    const glm::dvec3 part = extent / glm::dvec3(parts);
+    for (int x = 0; x < parts.x; ++x)
+        for (int y = 0; y < parts.y; ++y)
+            for (int z = 0; z < parts.z; ++z) {
+                const glm::dvec3 centre = low + part * (glm::dvec3(x, y, z) + 0.5);
+                // The centre is rounded to float: half an ulp of it, in three coordinates.
+                const double rounding = 1.1e-7 * glm::length(centre);
+                const double radius = (0.5 * glm::length(part) + rounding) * (1.0 + 1e-6);
+                if (touches(view, Sphere{glm::vec3(centre), static_cast<float>(radius)}))
+                    return true;
+            }
+    return false;
+}
+
+void ReflectionProbe::Implementation::clear(const capture::MapTextures& textures,
+                                            const MapSize& viewport) const
 {
     glBindFramebuffer(GL_FRAMEBUFFER, textures.allLayers.name());
-    glViewport(0, 0, size.width, size.height);
+    glViewport(0, 0, viewport.width, viewport.height);
     glClearBufferfv(GL_COLOR, 0, glm::value_ptr(desc.background));
     const float nothing[4] = {std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
     glClearBufferfv(GL_COLOR, 1, nothing);
@@ -215,7 +243,7 @@ void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, i
     glUniformMatrix4fv(linked.probeFromWorld, 1, GL_FALSE, glm::value_ptr(matrix));
     glUniform1i(linked.view, view);
     glUniform2f(linked.range, near, desc.far);
-    glUniform2f(linked.size, static_cast<float>(size.width), static_cast<float>(size.height));
+    glUniform2f(linked.size, static_cast<float>(drawSize.width), static_cast<float>(drawSize.height));
 
     if (linked.firstDistance >= 0) {
         glUniform1i(linked.firstDistance, peelUnit);
@@ -272,18 +300,17 @@ capture::Variant ReflectionProbe::Implementation::variantOf(const CaptureMesh& m
     return variant;
 }
 
-void ReflectionProbe::Implementation::drawMesh(const CaptureMesh& mesh, int view, const DrawMesh& draw)
+unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int view)
 {
     const capture::Variant variant = variantOf(mesh, view);
     const Path path = variant.path;
     const LinkedProgram& linked = mesh.program->implementation().program(variant);
     // Set again for every draw: the callback may have changed any of it.
     const auto layer = static_cast<std::size_t>(view < 0 ? 0 : capture::layerOfView(desc.map, view));
-    const capture::MapTextures& target = peeling ? hiddenBack : back;
-    glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? target.allLayers.name() : target.layers[layer].name());
+    glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? target().allLayers.name() : target().layers[layer].name());
     if (peeling)
         bindFirstLayer();
-    glViewport(0, 0, size.width, size.height);
+    glViewport(0, 0, drawSize.width, drawSize.height);
     glUseProgram(linked.program.name());
     setUniforms(linked, view);
     for (GLenum plane = 0; plane < 3; ++plane)
@@ -293,28 +320,20 @@ void ReflectionProbe::Implementation::drawMesh(const CaptureMesh& mesh, int view
     glUniform1i(linked.cullBackFaces, mesh.cullBackFaces ? 1 : 0);
     // With all at once the geometry shader has turned front faces counter-clockwise.
     glFrontFace(view < 0 || capture::orientation(desc.map, view) > 0 ? GL_CCW : GL_CW);
-    draw(mesh, {linked.program.name(), view});
     ++report.draws;
     report.drawsExact += path == Path::exact ? 1 : 0;
     report.drawsMapped += path == Path::mapped ? 1 : 0;
     report.triangles += mesh.triangles;
+    return linked.program.name();
 }
 
 void ReflectionProbe::Implementation::bindFirstLayer() const
 {
     const GLint active = gl::integer(GL_ACTIVE_TEXTURE);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLuint>(peelUnit));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, back.distance.name());
+    glBindTexture(GL_TEXTURE_2D_ARRAY, (isSupersampled() ? samples : back).distance.name());
     glBindSampler(static_cast<GLuint>(peelUnit), 0);
     glActiveTexture(static_cast<GLenum>(active));
-}
-
-void ReflectionProbe::Implementation::drawSecondLayer(std::span<const CaptureMesh> meshes,
-                                                      const DrawMesh& draw)
-{
-    const RaisedFlag raised(peeling);
-    clear(hiddenBack);
-    drawOneAtATime(meshes, draw);
 }
 
 void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh> meshes,
@@ -325,20 +344,29 @@ void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh
             if (mesh.bounds && !touches(view, *mesh.bounds))
                 ++report.drawsCulled;
             else
-                drawMesh(mesh, view, draw);
+                draw(mesh, {use(mesh, view), view});
         }
+}
+
+// Where varyings leave no room for all layers in one draw, each view has its own.
+bool ReflectionProbe::Implementation::fitsAtOnce(const CaptureMesh& mesh) const
+{
+    return desc.layers == LayerOrder::allAtOnce && mesh.program->implementation().fits(variantOf(mesh, -1));
 }
 
 void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw)
 {
     for (const CaptureMesh& mesh : meshes) {
-        bool touched = !mesh.bounds;
-        for (int view = 0; view < capture::viewCount(desc.map) && !touched; ++view)
-            touched = touches(view, *mesh.bounds);
-        if (touched)
-            drawMesh(mesh, -1, draw);
-        else
+        std::vector<int> touched;
+        for (int view = 0; view < capture::viewCount(desc.map); ++view)
+            if (!mesh.bounds || touches(view, *mesh.bounds))
+                touched.push_back(view);
+        if (touched.empty())
             ++report.drawsCulled;
+        else if (fitsAtOnce(mesh))
+            touched = {-1};
+        for (const int view : touched)
+            draw(mesh, {use(mesh, view), view});
     }
 }
 
@@ -350,10 +378,11 @@ void ReflectionProbe::Implementation::compile(std::span<const CaptureMesh> meshe
             for (int view = 0; view < capture::viewCount(desc.map); ++view)
                 mesh.program->implementation().program(variantOf(mesh, view));
     }
-    const bool together = desc.layers == LayerOrder::allAtOnce;
-    for (const CaptureMesh& mesh : meshes)
+    for (const CaptureMesh& mesh : meshes) {
+        const bool together = fitsAtOnce(mesh);
         for (int view = together ? -1 : 0; view < (together ? 0 : capture::viewCount(desc.map)); ++view)
             mesh.program->implementation().program(variantOf(mesh, view));
+    }
 }
 
 void ReflectionProbe::Implementation::place()
@@ -364,8 +393,13 @@ void ReflectionProbe::Implementation::place()
 
 void ReflectionProbe::Implementation::publish()
 {
-    map = {desc.map, desc.n, front.colour.name(), front.distance.name(), pose.worldFromProbe,
-           hiddenFront.colour.name(), hiddenFront.distance.name()};
+    map = {desc.map,
+           desc.n,
+           isBorrowed() ? desc.colourTexture : front.colour.name(),
+           isBorrowed() ? desc.distanceTexture : front.distance.name(),
+           pose.worldFromProbe,
+           hiddenFront.colour.name(),
+           hiddenFront.distance.name()};
 }
 
 ReflectionProbe::ReflectionProbe(const Desc& desc) : implementation_(std::make_unique<Implementation>(desc))
@@ -393,7 +427,7 @@ void ReflectionProbe::setPose(const glm::dmat4& worldFromProbe)
 
 void ReflectionProbe::setCaptureOrigin(const glm::dvec3& captureOrigin)
 {
-    requireFinite(captureOrigin, "a capture origin");
+    capture::requireFinite(captureOrigin, "a capture origin");
     implementation_->desc.captureOrigin = captureOrigin;
 }
 
@@ -407,18 +441,71 @@ bool ReflectionProbe::touches(int view, const Sphere& bounds) const
     return implementation_->touches(view, bounds);
 }
 
+bool ReflectionProbe::touches(int view, const Box& bounds) const
+{
+    return implementation_->touches(view, bounds);
+}
+
 const ReflectionMap& ReflectionProbe::map() const
 {
     return implementation_->map;
 }
 
+void ReflectionProbe::Implementation::requireReady() const
+{
+    if (capturing)
+        throw Error(ErrorKind::hostBusy, "a capture of probe '" + desc.name + "'",
+                    "this probe is being captured already", "call it after the draw callback has returned");
+    gl::requireContext();
+}
+
+// Everything between a cleared map and a complete one that is swapped in.
+CaptureReport ReflectionProbe::Implementation::fill(const std::function<void()>& drawLayerOfDepth)
+{
+    const RaisedFlag isCapturing(capturing);
+    const gl::StateGuard guard(std::max(peelUnit, 0), peelUnit < 0 ? 0 : 1);
+    guard.neutralise();
+    if (desc.depthTerm == DepthTerm::radial) {
+        glDepthFunc(GL_GREATER);
+        if (hasClipControl())
+            glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    }
+    report = {};
+    report.texels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
+                    static_cast<std::size_t>(size.layers);
+    clear(target(), drawSize);
+    drawLayerOfDepth();
+    if (desc.layersOfDepth == 2) {
+        const RaisedFlag isPeeling(peeling);
+        clear(target(), drawSize);
+        drawLayerOfDepth();
+    }
+    finish();
+    return report;
+}
+
+void ReflectionProbe::Implementation::finish()
+{
+    if (isSupersampled() || isBorrowed()) {
+        const gl::StateGuard guard(0, 2);
+        guard.neutralise(); // the callback may have changed anything
+        if (isSupersampled())
+            copies.reduce(samples, back, size, desc.supersample);
+        if (isSupersampled() && desc.layersOfDepth == 2)
+            copies.reduce(hiddenSamples, hiddenBack, size, desc.supersample);
+        if (isBorrowed())
+            copies.reduce(back, front, size, 1);
+    }
+    if (!isBorrowed())
+        std::swap(front, back);
+    std::swap(hiddenFront, hiddenBack);
+    publish();
+}
+
 CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, const DrawMesh& draw)
 {
     Implementation& self = *implementation_;
-    if (self.capturing)
-        throw Error(ErrorKind::hostBusy, "a capture of probe '" + self.desc.name + "'",
-                    "this probe is being captured already", "call it after the draw callback has returned");
-    gl::requireContext();
+    self.requireReady();
     for (const CaptureMesh& mesh : meshes) {
         if (mesh.program == nullptr)
             throw Error(ErrorKind::badArgument, "a capture of probe '" + self.desc.name + "'",
@@ -426,30 +513,69 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
     }
     self.place();
     self.compile(meshes);
+    return self.fill([&] {
+        if (self.desc.layers == LayerOrder::allAtOnce && !self.peeling)
+            self.drawAllAtOnce(meshes, draw);
+        else
+            self.drawOneAtATime(meshes, draw);
+    });
+}
 
-    const RaisedFlag capturing(self.capturing);
-    const gl::StateGuard guard(std::max(self.peelUnit, 0), self.peelUnit < 0 ? 0 : 1);
+CaptureReport ReflectionProbe::capture(const DrawScene& drawScene)
+{
+    Implementation& self = *implementation_;
+    self.requireReady();
+    self.place();
+    return self.fill([&] {
+        const bool together = self.desc.layers == LayerOrder::allAtOnce && !self.peeling;
+        for (int id = together ? -1 : 0; id < (together ? 0 : viewCount()); ++id) {
+            CaptureView view(self, id);
+            drawScene(view);
+        }
+    });
+}
+
+void ReflectionProbe::takeOver(std::span<const unsigned int, 6> sides, SideTarget target)
+{
+    Implementation& self = *implementation_;
+    self.requireReady();
+    if (self.desc.map != MapKind::cube)
+        throw Error(ErrorKind::badArgument, "six sides for probe '" + self.desc.name + "'",
+                    "its map is " + std::string(mapInfo(self.desc.map).name), "use a cube map");
+    self.place();
+    const gl::StateGuard guard(0, 2);
     guard.neutralise();
-    if (self.desc.depthTerm == DepthTerm::radial) {
-        glDepthFunc(GL_GREATER);
-        if (hasClipControl())
-            glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    }
-    self.report = {};
-    self.report.texels = static_cast<std::size_t>(self.size.width) *
-                         static_cast<std::size_t>(self.size.height) *
-                         static_cast<std::size_t>(self.size.layers);
-    self.clear(self.back);
-    if (self.desc.layers == LayerOrder::allAtOnce)
-        self.drawAllAtOnce(meshes, draw);
+    for (int side = 0; side < 6; ++side)
+        self.copies.copySide(sides[static_cast<std::size_t>(side)], target, self.back, side, self.size);
+    if (self.isBorrowed())
+        self.copies.reduce(self.back, self.front, self.size, 1);
     else
-        self.drawOneAtATime(meshes, draw);
-    if (self.desc.layersOfDepth == 2)
-        self.drawSecondLayer(meshes, draw);
-    std::swap(self.front, self.back);
-    std::swap(self.hiddenFront, self.hiddenBack);
+        std::swap(self.front, self.back);
     self.publish();
-    return self.report;
+    self.map.distanceTexture = self.map.hiddenColourTexture = self.map.hiddenDistanceTexture = 0;
+}
+
+bool CaptureView::touches(const Sphere& bounds) const
+{
+    return view_ < 0 || probe_->touches(view_, bounds);
+}
+
+bool CaptureView::touches(const Box& bounds) const
+{
+    return view_ < 0 || probe_->touches(view_, bounds);
+}
+
+unsigned int CaptureView::use(CaptureProgram& program)
+{
+    return use(CaptureMesh{.program = &program});
+}
+
+unsigned int CaptureView::use(const CaptureMesh& mesh)
+{
+    if (mesh.program == nullptr)
+        throw Error(ErrorKind::badArgument, "a view of probe '" + probe_->desc.name + "'",
+                    "a mesh has no program", "set CaptureMesh::program");
+    return probe_->use(mesh, view_);
 }
 
 } // namespace mirrorball

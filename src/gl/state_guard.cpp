@@ -70,9 +70,11 @@ struct TextureTarget
 };
 
 // The targets that the library binds.
-constexpr std::array<TextureTarget, 3> textureTargets = {{{GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
-                                                          {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
-                                                          {GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER}}};
+constexpr std::array<TextureTarget, 4> textureTargets = {
+    {{GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
+     {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE},
+     {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
+     {GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER}}};
 
 constexpr std::array<GLenum, 14> transferParameterNames = {
     GL_PACK_SWAP_BYTES,    GL_PACK_LSB_FIRST,    GL_PACK_ROW_LENGTH,     GL_PACK_SKIP_ROWS,

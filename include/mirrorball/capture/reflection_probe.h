@@ -7,11 +7,13 @@
 //     });
 //     const ReflectionMap& map = probe.map();       // pass 2 reads this
 //
+// A host that walks through its scene by itself takes the second capture() and asks each CaptureView.
+//
 // The host's GL state is the same after every call as before, whatever happens, and the last good map stays
 // when a call throws. Distances are radial, from the probe's centre, in world units.
 #pragma once
 
-#include <mirrorball/capture/capture_program.h>
+#include <mirrorball/capture/capture_types.h>
 #include <mirrorball/export.h>
 #include <mirrorball/maps/maps.h>
 #include <mirrorball/reflect/reflection_map.h>
@@ -20,10 +22,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,63 +30,7 @@
 
 namespace mirrorball {
 
-enum class CaptureMethod {
-    automatic, // for each mesh and view, mapped vertices where that is proved good enough, else exact
-    exact, // every texel's direction is tested against the triangle's edges: right however large triangles
-           // are
-    perVertex, // the textbook way: vertices are mapped and edges stay straight, so large triangles are wrong;
-               // cube and octahedral maps are piecewise linear and therefore exact with every method
-};
-
-enum class LayerOrder {
-    oneAtATime, // a draw for each component that a mesh touches
-    allAtOnce,  // one draw a mesh; a geometry shader sends triangles to their layers
-};
-
-enum class DepthTerm {
-    radial,  // one monotone function of the radial distance, the same for every method
-    textbook // tennis-ball |R|/100 + b² - 0.75, dual-paraboloid -+ z|R|/100 - 0.9: perVertex on these maps
-             // only
-};
-
-enum class ColourFormat { rgba16f, rgba32f, rgba8 };
-
-struct Sphere
-{
-    glm::vec3 centre{0.0f}; // in world space, relative to captureOrigin
-    float radius = 0.0f;
-};
-
-// One draw of the host's. Without bounds it is drawn into every component, and without bounds and the length
-// of its longest edge, exactly. A host that displaces vertices (skinning) gives bounds that hold for the
-// displaced ones.
-struct CaptureMesh
-{
-    CaptureProgram* program = nullptr;
-    std::uint64_t id = 0; // the host's own
-    std::optional<Sphere> bounds = std::nullopt;
-    float longestEdge = std::numeric_limits<float>::infinity(); // in world space
-    std::size_t triangles = 0;                                  // for the report only
-    bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
-};
-
-// What the host's draw callback is told. The program is in use and the library's uniforms are set.
-struct CaptureDraw
-{
-    unsigned int program; // GL name, to set the host's own uniforms on
-    int view; // 0 … viewCount - 1: a component, or an octant of the octahedral map; -1 for all at once
-};
-
-// What the last capture did.
-struct CaptureReport
-{
-    int draws = 0;
-    int drawsCulled = 0;       // mesh-and-view pairs that were not drawn because they do not touch
-    std::size_t triangles = 0; // sent, counted once for each draw
-    int drawsExact = 0;        // of the draws: by exact capture …
-    int drawsMapped = 0;       // … and by mapped vertices, where automatic found that enough
-    std::size_t texels = 0;    // of the map
-};
+class CaptureView;
 
 class MIRRORBALL_EXPORT ReflectionProbe
 {
@@ -106,6 +49,13 @@ public:
         std::optional<float> near = std::nullopt; // radial; halfExtent * scale unless given
         float far = 1000.0f;                      // radial; may be infinite
         ColourFormat colour = ColourFormat::rgba16f;
+        // k: k × k samples a texel, for smooth edges. Colour is their mean; distance is that of one of them,
+        // the nearest to the texel's centre.
+        int supersample = 1;
+        // A map that the host owns: GL_TEXTURE_2D_ARRAY of the map's size, which are borrowed and written to
+        // at the end of a capture. 0: the probe makes its own; `colour` is then the format.
+        unsigned int colourTexture = 0;
+        unsigned int distanceTexture = 0;
         glm::vec4 background{0.0f, 0.0f, 0.0f, 1.0f};
         CaptureMethod method = CaptureMethod::automatic;
         float epsilon =
@@ -113,14 +63,15 @@ public:
         LayerOrder layers = LayerOrder::oneAtATime;
         DepthTerm depthTerm = DepthTerm::radial;
         // 2: behind the first surface of each direction another one is captured, for Lookup::layered: the
-        // nearest that is farther by layerSeparation, relative to the first distance (a minimum separation, as
-        // in Mara, McGuire, Nowrouzezahrai, Luebke, "Deep G-buffers for stable global illumination
+        // nearest that is farther by layerSeparation, relative to the first distance (a minimum separation,
+        // as in Mara, McGuire, Nowrouzezahrai, Luebke, "Deep G-buffers for stable global illumination
         // approximation", 2016), so that it is what the first one hides and not its own back.
         int layersOfDepth = 1;
         float layerSeparation = 0.1f;
     };
 
     using DrawMesh = std::function<void(const CaptureMesh&, const CaptureDraw&)>;
+    using DrawScene = std::function<void(CaptureView&)>;
 
     // Needs a current context of OpenGL 3.3 or later. Throws Error badArgument, noContext or unsupported.
     explicit ReflectionProbe(const Desc& desc);
@@ -140,17 +91,52 @@ public:
     // same probe.
     CaptureReport capture(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
 
+    // The same, drawn by the host itself: called once for each view, or once in all with allAtOnce.
+    CaptureReport capture(const DrawScene& drawScene);
+
+    // Takes over six sides that the host has drawn itself, +X -X +Y -Y +Z -Z, each of n × n texels laid out
+    // as OpenGL's cube maps are (row 0 is t = 0); for the cube map. Their distances are not known. Throws
+    // Error badArgument with the last good map unchanged.
+    void takeOver(std::span<const unsigned int, 6> sides, SideTarget target);
+
     // Whether something inside these bounds could be seen in a view. Bounds in world space, relative to
     // captureOrigin.
     int viewCount() const;
     bool touches(int view, const Sphere& bounds) const;
+    bool touches(int view, const Box& bounds) const;
 
     // The last complete capture; before the first one, the background everywhere.
     const ReflectionMap& map() const;
 
 private:
+    friend class CaptureView;
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
+};
+
+// What a host that draws by itself is handed: one view of a probe. Valid during the call only.
+class MIRRORBALL_EXPORT CaptureView
+{
+public:
+    // 0 … viewCount - 1, or -1 for all at once; the same view has it in every capture of this probe, so that
+    // what a host keeps for each of its views (shadows, culling) can be told apart.
+    int id() const { return view_; }
+
+    bool touches(const Sphere& bounds) const;
+    bool touches(const Box& bounds) const;
+
+    // Makes the program current for drawing into this view, the library's uniforms set; returns its GL name
+    // for the host's own. Without a mesh's bounds and longest edge, draws are exact. To be called again after
+    // the host has used another program or framebuffer; each call counts as a draw in the report.
+    unsigned int use(CaptureProgram& program);
+    unsigned int use(const CaptureMesh& mesh);
+
+private:
+    friend class ReflectionProbe;
+    CaptureView(ReflectionProbe::Implementation& probe, int view) : probe_(&probe), view_(view) {}
+
+    ReflectionProbe::Implementation* probe_;
+    int view_;
 };
 
 } // namespace mirrorball

@@ -1,0 +1,82 @@
+// The plain types of pass 1: how a map is drawn, what is drawn into it and what came of it.
+#pragma once
+
+#include <mirrorball/capture/capture_program.h>
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace mirrorball {
+
+enum class CaptureMethod {
+    automatic, // for each mesh and view, mapped vertices where that is proved good enough, else exact
+    exact, // every texel's direction is tested against the triangle's edges: right however large triangles
+           // are
+    perVertex, // the textbook way: vertices are mapped and edges stay straight, so large triangles are wrong;
+               // cube and octahedral maps are piecewise linear and therefore exact with every method
+};
+
+enum class LayerOrder {
+    oneAtATime, // a draw for each component that a mesh touches
+    allAtOnce,  // one draw a mesh; a geometry shader sends triangles to their layers
+};
+
+enum class DepthTerm {
+    radial,  // one monotone function of the radial distance, the same for every method
+    textbook // tennis-ball |R|/100 + b² - 0.75, dual-paraboloid -+ z|R|/100 - 0.9: perVertex on these maps
+             // only
+};
+
+enum class ColourFormat { rgba16f, rgba32f, rgba8 };
+
+struct Sphere
+{
+    glm::vec3 centre{0.0f}; // in world space, relative to captureOrigin
+    float radius = 0.0f;
+};
+
+struct Box // axis-parallel, in world space, relative to captureOrigin
+{
+    glm::vec3 low{0.0f};
+    glm::vec3 high{0.0f};
+};
+
+// One draw of the host's. Without bounds it is drawn into every component, and without bounds and the length
+// of its longest edge, exactly. A host that displaces vertices (skinning) gives bounds that hold for the
+// displaced ones.
+struct CaptureMesh
+{
+    CaptureProgram* program = nullptr;
+    std::uint64_t id = 0; // the host's own
+    std::optional<Sphere> bounds = std::nullopt;
+    float longestEdge = std::numeric_limits<float>::infinity(); // in world space
+    std::size_t triangles = 0;                                  // for the report only
+    bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
+};
+
+// What the host's draw callback is told. The program is in use and the library's uniforms are set.
+struct CaptureDraw
+{
+    unsigned int program; // GL name, to set the host's own uniforms on
+    int view; // 0 … viewCount - 1: a component, or an octant of the octahedral map; -1 for all at once
+};
+
+// The target of a texture that the host hands over.
+enum class SideTarget { texture2d, rectangle };
+
+// What the last capture did.
+struct CaptureReport
+{
+    int draws = 0;
+    int drawsCulled = 0;       // mesh-and-view pairs that were not drawn because they do not touch
+    std::size_t triangles = 0; // sent, counted once for each draw
+    int drawsExact = 0;        // of the draws: by exact capture …
+    int drawsMapped = 0;       // … and by mapped vertices, where automatic found that enough
+    std::size_t texels = 0;    // of the map
+};
+
+} // namespace mirrorball

@@ -1,0 +1,136 @@
+#include "capture/copies.h"
+
+#include "capture_shaders.h"
+#include "gl/context.h"
+#include "gl/program.h"
+
+#include <mirrorball/error.h>
+
+#include <epoxy/gl.h>
+
+namespace mirrorball::capture {
+
+namespace {
+
+gl::Program link(std::string_view fragment, const std::string& define, const std::string& name)
+{
+    const std::string version = "#version 330 core\n";
+    return gl::linkProgram(
+        {{GL_VERTEX_SHADER, version + std::string(shaders::copyVertex), "the vertex shader of " + name},
+         {GL_FRAGMENT_SHADER, version + define + std::string(fragment), "the fragment shader of " + name}},
+        name);
+}
+
+GLenum bindingOf(GLenum target)
+{
+    switch (target) {
+    case GL_TEXTURE_RECTANGLE:
+        return GL_TEXTURE_BINDING_RECTANGLE;
+    case GL_TEXTURE_2D_ARRAY:
+        return GL_TEXTURE_BINDING_2D_ARRAY;
+    default:
+        return GL_TEXTURE_BINDING_2D;
+    }
+}
+
+int levelParameter(GLenum target, GLenum name)
+{
+    GLint value = 0;
+    glGetTexLevelParameteriv(target, 0, name, &value);
+    return value;
+}
+
+std::string sizeText(const MapSize& size)
+{
+    return std::to_string(size.width) + " x " + std::to_string(size.height) +
+           (size.layers > 0 ? " x " + std::to_string(size.layers) : "");
+}
+
+} // namespace
+
+void bindBorrowed(unsigned int texture, unsigned int target, const MapSize& size, const std::string& asked)
+{
+    if (glIsTexture(texture) == GL_FALSE)
+        throw Error(ErrorKind::badArgument, asked, std::to_string(texture) + " is not a texture",
+                    "give the name of one");
+    glBindTexture(target, texture);
+    if (gl::integer(bindingOf(target)) != static_cast<int>(texture)) {
+        glGetError(); // the refusal
+        throw Error(ErrorKind::badArgument, asked, "the texture is of another target",
+                    "say which target it has");
+    }
+    const MapSize found = {levelParameter(target, GL_TEXTURE_WIDTH),
+                           levelParameter(target, GL_TEXTURE_HEIGHT),
+                           size.layers > 0 ? levelParameter(target, GL_TEXTURE_DEPTH) : 0};
+    if (found.width != size.width || found.height != size.height || found.layers != size.layers)
+        throw Error(ErrorKind::badArgument, asked, "its size is " + sizeText(found),
+                    "make it " + sizeText(size));
+    const int type = levelParameter(target, GL_TEXTURE_RED_TYPE);
+    if (type != GL_FLOAT && type != GL_UNSIGNED_NORMALIZED && type != GL_SIGNED_NORMALIZED)
+        throw Error(ErrorKind::badArgument, asked, "its texels are integers or have no red component",
+                    "use a format of floats or normalised numbers");
+}
+
+void Copies::makeShared()
+{
+    if (!noAttributes_) {
+        noAttributes_ = gl::VertexArray::create();
+        nearest_ = gl::Sampler::create();
+        glSamplerParameteri(nearest_.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glSamplerParameteri(nearest_.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glSamplerParameteri(nearest_.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glSamplerParameteri(nearest_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+    glBindVertexArray(noAttributes_.name());
+    for (GLenum plane = 0; plane < 3; ++plane)
+        glDisable(GL_CLIP_DISTANCE0 + plane);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void Copies::reduce(const MapTextures& from, const MapTextures& to, const MapSize& size, int k)
+{
+    if (!reduce_)
+        reduce_ = link(shaders::copyReduce, "", "the reduction of samples");
+    makeShared();
+    glUseProgram(reduce_.name());
+    const auto location = [&](const char* name) { return glGetUniformLocation(reduce_.name(), name); };
+    const unsigned int textures[2] = {from.colour.name(), from.distance.name()};
+    for (int unit = 0; unit < 2; ++unit) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D_ARRAY, textures[unit]);
+        glBindSampler(static_cast<GLuint>(unit), nearest_.name());
+    }
+    glUniform1i(location("colours"), 0);
+    glUniform1i(location("distances"), 1);
+    glUniform1i(location("k"), k);
+    glViewport(0, 0, size.width, size.height);
+    for (int layer = 0; layer < size.layers; ++layer) {
+        glBindFramebuffer(GL_FRAMEBUFFER, to.layers[static_cast<std::size_t>(layer)].name());
+        glUniform1i(location("layer"), layer);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+}
+
+void Copies::copySide(unsigned int texture, SideTarget target, const MapTextures& to, int layer,
+                      const MapSize& size)
+{
+    const bool isRectangle = target == SideTarget::rectangle;
+    gl::Program& program = isRectangle ? copyRectangle_ : copy2d_;
+    if (!program)
+        program = link(shaders::copySide,
+                       "#define MIRRORBALL_RECTANGLE " + std::to_string(isRectangle ? 1 : 0) + "\n",
+                       "copying a side");
+    makeShared();
+    glActiveTexture(GL_TEXTURE0);
+    bindBorrowed(texture, isRectangle ? GL_TEXTURE_RECTANGLE : GL_TEXTURE_2D, {size.width, size.height, 0},
+                 "side " + std::to_string(layer) + " of a cube map");
+    glBindSampler(0, nearest_.name());
+    glUseProgram(program.name());
+    glUniform1i(glGetUniformLocation(program.name(), "side"), 0);
+    glViewport(0, 0, size.width, size.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, to.layers[static_cast<std::size_t>(layer)].name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+} // namespace mirrorball::capture

@@ -1,0 +1,37 @@
+// Drawing without a scene: a map made smaller, a host's image copied into a layer, texel by texel.
+#pragma once
+
+#include "capture/map_textures.h"
+
+#include <mirrorball/capture/reflection_probe.h>
+#include <mirrorball/gl/objects.h>
+
+namespace mirrorball::capture {
+
+class Copies
+{
+public:
+    // Call both inside a StateGuard(0, 1) that is neutralised; they leave depth tests off.
+
+    // k × k samples of `from` become a texel of `to`: the mean colour, and the distance of the sample nearest
+    // to the centre. size is that of `to`. k = 1 copies.
+    void reduce(const MapTextures& from, const MapTextures& to, const MapSize& size, int k);
+
+    // A texture of the host's into one layer's colour. Throws Error badArgument, before anything is drawn,
+    // where it is no texture of that target, of width x height and of floats or normalised numbers.
+    void copySide(unsigned int texture, SideTarget target, const MapTextures& to, int layer,
+                  const MapSize& size);
+
+private:
+    void makeShared();
+
+    gl::Program reduce_, copy2d_, copyRectangle_;
+    gl::VertexArray noAttributes_;
+    gl::Sampler nearest_;
+};
+
+// Binds a texture of the host's and checks what it is; `asked` names it in the Error badArgument. Levels
+// below the first are not looked at. layers: 0 for a target without.
+void bindBorrowed(unsigned int texture, unsigned int target, const MapSize& size, const std::string& asked);
+
+} // namespace mirrorball::capture

@@ -1,0 +1,44 @@
+#include "capture/pose.h"
+
+#include <mirrorball/error.h>
+
+#include <glm/matrix.hpp>
+
+#include <cmath>
+
+namespace mirrorball::capture {
+
+Pose rigidPose(const glm::dmat4& worldFromProbe)
+{
+    const std::string asked = "a probe's pose";
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(worldFromProbe[column][row]))
+                throw Error(ErrorKind::badArgument, asked, "an element is not finite", "give finite numbers");
+    const glm::dmat3 linear(worldFromProbe);
+    const double scale = std::cbrt(std::abs(glm::determinant(linear)));
+    if (!(scale > 0.0))
+        throw Error(ErrorKind::badArgument, asked, "its scale is 0", "give a scale above 0");
+    const glm::dmat3 rotation = linear / scale;
+    // Rounding of a host's float matrices stays far below this; shear or unequal scale lies far above it.
+    constexpr double tolerance = 1e-3;
+    const glm::dmat3 unit = glm::transpose(rotation) * rotation;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (std::abs(unit[column][row] - (column == row ? 1.0 : 0.0)) > tolerance)
+                throw Error(ErrorKind::badArgument, asked, "it is not a rotation with uniform scale",
+                            "leave out shear and unequal scale");
+    if (glm::determinant(rotation) < 0.0)
+        throw Error(ErrorKind::badArgument, asked, "it mirrors", "give a rotation with positive scale");
+    glm::dmat4 rigid(rotation);
+    rigid[3] = glm::dvec4(glm::dvec3(worldFromProbe[3]), 1.0);
+    return {rigid, scale};
+}
+
+void requireFinite(const glm::dvec3& point, const std::string& asked)
+{
+    if (!(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)))
+        throw Error(ErrorKind::badArgument, asked, "a coordinate is not finite", "give finite numbers");
+}
+
+} // namespace mirrorball::capture
