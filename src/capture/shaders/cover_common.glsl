@@ -64,9 +64,11 @@ void mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, inout mirrorballCaptur
     cover.corner[3] = last.x * along + last.y * across;
 }
 
-// Each family of maps writes this: the extent across, at one place along, is narrowed to the side of an edge's plane
-// where edge . direction >= 0 (a little more, for rounding).
+// Each family of maps writes these two. The first narrows the extent across, at one place along, to the side of an edge's
+// plane where edge . direction >= 0 (a little more, for rounding).
 void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent);
+// The second: how far an edge departs from a straight line within a strip of this width, across; large if unknown.
+float mirrorballCapture_departure(int view, vec3 edge, float width);
 
 #if MIRRORBALL_OCTAHEDRAL
 // The octahedral map's views share a layer: the extent is narrowed to what a view has of a strip.
@@ -74,45 +76,87 @@ void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 e
 #endif
 
 // A triangle's extent at one place along, which may lie beyond the layer; empty where the first is greater than the
-// second.
-vec2 mirrorballCapture_extentAt(int view, vec3 edge[4], float at)
+// second. `binding` are the planes that bind it.
+vec2 mirrorballCapture_extentAt(int view, vec3 edge[4], float at, out ivec2 binding)
 {
     vec2 extent = vec2(-9.0, 10.0);
-    for (int k = 0; k < 4; ++k)
+    binding = ivec2(-1);
+    for (int k = 0; k < 4; ++k) {
+        vec2 wider = extent;
         mirrorballCapture_narrow(view, edge[k], at, extent);
+        binding = ivec2(extent.x > wider.x ? k : binding.x, extent.y < wider.y ? k : binding.y);
+    }
     return extent;
 }
 
-// A triangle of any size, cut into strips between `first` and `last` along MIRRORBALL_ALONG. Its outline across is
-// monotone between `events` (vertices, and where an edge turns back), so the extent at those and at a strip's ends bounds
-// the strip. The polygon runs through the wider of two neighbours' extents. edge: those of the triangle, turned so that
-// the inside is where they are >= 0, and a plane that cuts away the far side of the sphere.
+// What a strip has of a triangle: its lower and upper outline at the strip's beginning (x, y) and end (z, w); empty where
+// x > y. The outline is monotone between `events` (vertices, and where an edge turns back), so the extents there and at
+// both ends bound it. Where one edge runs through the strip as a nearly straight line, it is followed.
+vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORBALL_EVENTS], float from, float to)
+{
+    ivec2 bindingFrom, bindingTo, ignored;
+    vec2 begin = mirrorballCapture_extentAt(view, edge, from, bindingFrom);
+    vec2 end = mirrorballCapture_extentAt(view, edge, to, bindingTo);
+    vec2 extent = vec2(20.0, -20.0);
+    if (begin.x <= begin.y)
+        extent = begin;
+    if (end.x <= end.y)
+        extent = vec2(min(extent.x, end.x), max(extent.y, end.y));
+    bool corners = false;
+    for (int index = 0; index < MIRRORBALL_EVENTS; ++index) {
+        float place = clamp(events[index], from, to);
+        vec2 found = mirrorballCapture_extentAt(view, edge, place, ignored);
+        if (found.x <= found.y)
+            extent = vec2(min(extent.x, found.x), max(extent.y, found.y));
+        corners = corners || (index < 3 && place > from && place < to);
+    }
+    vec2 low = extent.xx;
+    vec2 high = extent.yy;
+    if (begin.x <= begin.y && end.x <= end.y && !corners) {
+        // The guard along moves a sloping line by its slope times the guard.
+        float guards = mirrorballCapture_guard / ((to - from) * mirrorballCapture_size.MIRRORBALL_ALONG);
+        vec2 slack = guards * abs(end - begin);
+        if (bindingFrom.x == bindingTo.x && bindingFrom.x >= 0) {
+            float departure = mirrorballCapture_departure(view, edge[bindingFrom.x], to - from);
+            vec2 line = vec2(begin.x, end.x) - (departure + slack.x);
+            low = line.x + line.y > low.x + low.y && max(abs(line.x), abs(line.y)) < 9.0 ? line : low;
+        }
+        if (bindingFrom.y == bindingTo.y && bindingFrom.y >= 0) {
+            float departure = mirrorballCapture_departure(view, edge[bindingFrom.y], to - from);
+            vec2 line = vec2(begin.y, end.y) + (departure + slack.y);
+            high = line.x + line.y < high.x + high.y && max(abs(line.x), abs(line.y)) < 9.0 ? line : high;
+        }
+    }
+    // What lies beside the layer is left out; the rest is cut off by the rasteriser.
+    bool outside = extent.x > 1.0 || extent.y < 0.0 || extent.x > extent.y;
+#if MIRRORBALL_OCTAHEDRAL
+    vec2 octant = vec2(0.0, 1.0);
+    mirrorballCapture_narrowToView(view, from, to, octant);
+    outside = outside || extent.x > octant.y || extent.y < octant.x;
+    if (low.x == low.y)
+        low = max(low, vec2(octant.x));
+    if (high.x == high.y)
+        high = min(high, vec2(octant.y));
+#endif
+    return outside ? vec4(20.0, -20.0, 20.0, -20.0) : vec4(low.x, high.x, low.y, high.y);
+}
+
+// A triangle of any size, cut into strips between `first` and `last` along MIRRORBALL_ALONG; the polygon runs through the
+// wider of two neighbours' outlines. edge: those of the triangle, turned so that the inside is where they are >= 0, and a
+// plane that cuts away the far side of the sphere. The first three events are the vertices.
 void mirrorballCapture_coverStrips(int view, vec3 edge[4], float events[MIRRORBALL_EVENTS], float first, float last,
                                    inout mirrorballCapture_Cover cover)
 {
-    const vec2 nothing = vec2(20.0, -20.0);
+    const vec4 nothing = vec4(20.0, -20.0, 20.0, -20.0);
     float step = (last - first) / float(MIRRORBALL_STRIPS);
-    vec2 before = nothing;
+    vec4 before = nothing;
     bool seen = false;
     for (int strip = 0; strip <= MIRRORBALL_STRIPS; ++strip) {
-        vec2 extent = nothing;
         float at = first + step * float(strip);
-        if (strip < MIRRORBALL_STRIPS) {
-            for (int index = 0; index < MIRRORBALL_EVENTS + 2; ++index) {
-                float place = index == 0   ? at
-                              : index == 1 ? at + step
-                                           : clamp(events[max(index - 2, 0)], at, at + step);
-                vec2 found = mirrorballCapture_extentAt(view, edge, place);
-                if (found.x <= found.y)
-                    extent = vec2(min(extent.x, found.x), max(extent.y, found.y));
-            }
-            // Only now cut to the layer: between two places beyond it, on either side, the outline may cross it.
-            extent = vec2(max(extent.x, 0.0), min(extent.y, 1.0));
-#if MIRRORBALL_OCTAHEDRAL
-            mirrorballCapture_narrowToView(view, at, at + step, extent);
-#endif
-        }
-        vec2 both = vec2(min(before.x, extent.x), max(before.y, extent.y));
+        vec4 here = nothing;
+        if (strip < MIRRORBALL_STRIPS)
+            here = mirrorballCapture_stripOutline(view, edge, events, at, at + step);
+        vec2 both = vec2(min(before.z, here.x), max(before.w, here.y));
         vec2 low, high;
         low.MIRRORBALL_ALONG = high.MIRRORBALL_ALONG = at * mirrorballCapture_size.MIRRORBALL_ALONG;
         low.MIRRORBALL_ACROSS = both.x * mirrorballCapture_size.MIRRORBALL_ACROSS - mirrorballCapture_guard;
@@ -127,15 +171,15 @@ void mirrorballCapture_coverStrips(int view, vec3 edge[4], float events[MIRRORBA
             for (int index = 0; index < 2 * strip; ++index)
                 cover.corner[index] = low;
             seen = true;
-        } else if (extent.x > extent.y && before.x <= before.y) { // its end
+        } else if (here.x > here.y && before.x <= before.y) { // its end
             low.MIRRORBALL_ALONG += mirrorballCapture_guard;
             high.MIRRORBALL_ALONG += mirrorballCapture_guard;
         }
         cover.corner[2 * strip] = low;
         cover.corner[2 * strip + 1] = high;
-        before = extent;
+        before = here;
     }
-    cover.count = seen && first < last ? 2 * MIRRORBALL_STRIPS + 2 : 0;
+    cover.count = seen ? 2 * MIRRORBALL_STRIPS + 2 : 0;
 }
 
 // The triangle's edges and, where its vertices lie within a quarter turn of their mean, the plane square to that.

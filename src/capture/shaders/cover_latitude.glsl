@@ -41,6 +41,17 @@ void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
     extent = isLow ? vec2(max(extent.x, bound), extent.y) : vec2(extent.x, min(extent.y, bound));
 }
 
+// Latitude over longitude is atan(T sin l) with T the tangent of the circle's inclination; its second derivative stays
+// below T + 0.65 T^2. A radian of latitude is at most 0.75 of the square (0.32 on the equirectangular map), and the even
+// map's own bend adds less than a third.
+float mirrorballCapture_departure(int view, vec3 edge, float width)
+{
+    vec3 m = mirrorballCapture_local(view, edge);
+    float inclination = min(length(m.xz) / max(abs(m.y), 1e-30), 1e3);
+    float radians = 6.2831853 * width / MIRRORBALL_PERIOD;
+    return (inclination + 0.65 * inclination * inclination) * radians * radians * 0.125;
+}
+
 // A pole in the triangle, or so near that rounding could tell it wrong; side is +1 or -1.
 bool mirrorballCapture_holdsPole(vec3 edgeY, vec3 edgeLength, float side)
 {
@@ -91,9 +102,9 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     for (int k = 0; k < 3; ++k) {
         vec3 m = mirrorballCapture_local(view, edge[k]);
         float peak = mirrorballCapture_atan2Pi(m.x, m.z) * 0.5 * MIRRORBALL_PERIOD + 0.5;
-        events[3 * k] = along[k] - MIRRORBALL_PERIOD * floor((along[k] - 0.5) / MIRRORBALL_PERIOD + 0.5);
-        events[3 * k + 1] = peak;
-        events[3 * k + 2] = peak + (peak > 0.5 ? -0.5 : 0.5) * MIRRORBALL_PERIOD;
+        events[k] = along[k] - MIRRORBALL_PERIOD * floor((along[k] - 0.5) / MIRRORBALL_PERIOD + 0.5);
+        events[3 + 2 * k] = peak;
+        events[4 + 2 * k] = peak + (peak > 0.5 ? -0.5 : 0.5) * MIRRORBALL_PERIOD;
     }
     vec3 planes[4];
     mirrorballCapture_boundingPlanes(vertex, edge, planes);

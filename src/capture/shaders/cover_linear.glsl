@@ -28,7 +28,7 @@ float mirrorballCapture_straightFromSquare(float square)
 void mirrorballCapture_narrowByLine(vec3 line, float y, inout vec2 extent)
 {
     float rise = line.y * y + line.z + 1e-5 * length(line);
-    float bound = clamp(-rise / (abs(line.x) > 1e-30 ? line.x : 1e-30), -2.0, 2.0);
+    float bound = clamp(-rise / (abs(line.x) > 1e-30 ? line.x : 1e-30), -40.0, 40.0);
     bound = mirrorballCapture_texelFromStraight(vec2(bound, 0.0)).x / mirrorballCapture_size.x;
     extent = line.x >= 0.0 ? vec2(max(extent.x, bound), extent.y) : vec2(extent.x, min(extent.y, bound));
 }
@@ -54,6 +54,16 @@ void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 e
         extent = vec2(20.0, -20.0);
 }
 #endif
+
+float mirrorballCapture_departure(int view, vec3 edge, float width)
+{
+    // Straight on a cube face. An octant's border cuts lines in two, and the equi-angular cube bends them.
+#if MIRRORBALL_OCTAHEDRAL || MIRRORBALL_EQUI_ANGULAR_CUBE
+    return 9.0;
+#else
+    return 0.0;
+#endif
+}
 
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {

@@ -3,6 +3,11 @@ void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
 {
 }
 
+float mirrorballCapture_departure(int view, vec3 edge, float width)
+{
+    return 9.0;
+}
+
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
     vec3 unit[3];

@@ -36,6 +36,11 @@ void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
     extent = 0.5 * range + 0.5;
 }
 
+float mirrorballCapture_departure(int view, vec3 edge, float width)
+{
+    return 9.0;
+}
+
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
     vec2 p[3];
@@ -59,10 +64,10 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     for (int k = 0; k < 3; ++k) {
         vec3 m = mirrorballCapture_local(view, edge[k]);
         float z = abs(m.z) > 1e-12 ? m.z : 1e-12;
-        events[4 * k] = 0.5 * p[k].y + 0.5;
-        events[4 * k + 1] = 0.5 * m.y / z + 0.5;
-        events[4 * k + 2] = events[4 * k + 1] + 0.5 * length(m) / z;
-        events[4 * k + 3] = events[4 * k + 1] - 0.5 * length(m) / z;
+        events[k] = 0.5 * p[k].y + 0.5;
+        events[3 + 3 * k] = 0.5 * m.y / z + 0.5;
+        events[4 + 3 * k] = events[3 + 3 * k] + 0.5 * length(m) / z;
+        events[5 + 3 * k] = events[3 + 3 * k] - 0.5 * length(m) / z;
     }
     vec3 planes[4];
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
