@@ -171,14 +171,16 @@ void Renderer::addMirror(const Mirror& mirror)
         drawn.images.emplace(map, mirror.source->n, mirror.source->layers);
         drawn.images->setRotation(glm::dmat3(mirror.worldFromProbe));
     } else {
-        drawn.probe.emplace(ReflectionProbe::Desc{.map = map,
-                                                  .n = options_.size,
-                                                  .worldFromProbe = mirror.worldFromProbe,
-                                                  .captureOrigin = setup_.origin,
-                                                  .near = static_cast<float>(mirror.near),
-                                                  .far = static_cast<float>(options_.far),
-                                                  .background = glm::vec4(setup_.scene.background, 1.0f),
-                                                  .method = options_.method});
+        drawn.probe.emplace(
+            ReflectionProbe::Desc{.map = map,
+                                  .n = options_.size,
+                                  .worldFromProbe = mirror.worldFromProbe,
+                                  .captureOrigin = setup_.origin,
+                                  .near = static_cast<float>(mirror.near),
+                                  .far = static_cast<float>(options_.far),
+                                  .background = glm::vec4(setup_.scene.background, 1.0f),
+                                  .method = options_.method,
+                                  .layersOfDepth = options_.lookup == mirrorball::Lookup::layered ? 2 : 1});
     }
     mirrors_.push_back(std::move(drawn));
 }

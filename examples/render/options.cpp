@@ -65,7 +65,8 @@ CommandLine::CommandLine(CLI::App& app)
                       {{"infinite", Lookup::infinite},
                        {"sphere", Lookup::sphere},
                        {"box", Lookup::box},
-                       {"distance", Lookup::distance}},
+                       {"distance", Lookup::distance},
+                       {"layered", Lookup::layered}},
                       "how a reflected ray finds its place in the map");
     addOptionalVector(
         app, "--proxy-low", options_.proxyLow,

@@ -16,7 +16,7 @@ namespace mirrorball {
 
 namespace {
 
-constexpr int units = 2; // colour, distance
+constexpr int mostUnits = 4; // colour, distance, and both of the second layer of depth
 
 // 0 where the proxy has no inverse, or where floats cannot hold it.
 glm::mat4 proxyFromWorld(const glm::dmat4& worldFromProxy, const glm::dvec3& origin)
@@ -46,7 +46,7 @@ gl::Sampler makeSampler(GLenum filter)
 struct ProbeBinding::Implementation
 {
     unsigned int program;
-    int firstUnit;
+    int firstUnit, units;
     std::string prefix;
     gl::Sampler linear, nearest;
 
@@ -60,8 +60,8 @@ struct ProbeBinding::Bound::Saved
     {
         int texture, sampler;
     };
-    int firstUnit;
-    Unit unit[units];
+    int firstUnit, units;
+    Unit unit[mostUnits];
 };
 
 ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string prefix)
@@ -74,14 +74,17 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
     if (linked != GL_TRUE)
         throw Error(ErrorKind::badArgument, asked, "program " + std::to_string(program) + " is not linked",
                     "link it first");
+    const bool isLayered = glGetUniformLocation(program, (prefix + "hiddenColourMap").c_str()) >= 0;
+    const int units = isLayered ? mostUnits : 2;
     const int limit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     if (firstUnit < 0 || firstUnit + units > limit)
         throw Error(ErrorKind::badArgument, asked,
-                    "texture units " + std::to_string(firstUnit) + " and the next lie outside the driver's " +
+                    "texture units " + std::to_string(firstUnit) + " to " +
+                        std::to_string(firstUnit + units - 1) + " do not lie within the driver's " +
                         std::to_string(limit),
                     "name another first unit");
     implementation_ = std::make_unique<Implementation>(Implementation{
-        program, firstUnit, std::move(prefix), makeSampler(GL_LINEAR), makeSampler(GL_NEAREST)});
+        program, firstUnit, units, std::move(prefix), makeSampler(GL_LINEAR), makeSampler(GL_NEAREST)});
 }
 
 ProbeBinding::~ProbeBinding() = default;
@@ -96,6 +99,8 @@ void ProbeBinding::Implementation::setUniforms(const ReflectionMap& map,
         glUseProgram(program);
     glUniform1i(location("colourMap"), firstUnit);
     glUniform1i(location("distanceMap"), firstUnit + 1);
+    glUniform1i(location("hiddenColourMap"), firstUnit + 2);
+    glUniform1i(location("hiddenDistanceMap"), firstUnit + 3);
     const glm::mat3 probeFromWorld(glm::transpose(glm::dmat3(map.worldFromProbe))); // a rotation
     const glm::mat3 mapFromWorld = probeFromWorld * settings.probeFromWorld;
     glUniformMatrix3fv(location("mapFromWorld"), 1, GL_FALSE, glm::value_ptr(mapFromWorld));
@@ -120,11 +125,14 @@ ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialS
                     "capture or upload a map first");
     auto saved = std::make_unique<Bound::Saved>();
     saved->firstUnit = self.firstUnit;
+    saved->units = self.units;
     const GLint active = gl::integer(GL_ACTIVE_TEXTURE);
-    const unsigned int textures[units] = {map.colourTexture, map.distanceTexture};
+    const unsigned int textures[mostUnits] = {map.colourTexture, map.distanceTexture, map.hiddenColourTexture,
+                                              map.hiddenDistanceTexture};
     const gl::Sampler& colourSampler = settings.filtering == Filtering::linear ? self.linear : self.nearest;
-    const unsigned int samplers[units] = {colourSampler.name(), self.nearest.name()};
-    for (int unit = 0; unit < units; ++unit) {
+    const unsigned int samplers[mostUnits] = {colourSampler.name(), self.nearest.name(), colourSampler.name(),
+                                              self.nearest.name()};
+    for (int unit = 0; unit < self.units; ++unit) {
         const auto index = static_cast<GLuint>(self.firstUnit + unit);
         glActiveTexture(GL_TEXTURE0 + index);
         saved->unit[unit] = {gl::integer(GL_TEXTURE_BINDING_2D_ARRAY), gl::integer(GL_SAMPLER_BINDING)};
@@ -150,7 +158,7 @@ ProbeBinding::Bound::~Bound()
     if (!saved_ || !gl::contextIsCurrent())
         return;
     const GLint active = gl::integer(GL_ACTIVE_TEXTURE);
-    for (int unit = 0; unit < units; ++unit) {
+    for (int unit = 0; unit < saved_->units; ++unit) {
         const auto index = static_cast<GLuint>(saved_->firstUnit + unit);
         const auto texture = static_cast<GLuint>(saved_->unit[unit].texture);
         const auto sampler = static_cast<GLuint>(saved_->unit[unit].sampler);

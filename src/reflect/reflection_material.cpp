@@ -9,10 +9,11 @@ namespace mirrorball {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Lookup>, 4> lookups = {{{"infinite", Lookup::infinite},
+constexpr std::array<std::pair<std::string_view, Lookup>, 5> lookups = {{{"infinite", Lookup::infinite},
                                                                          {"sphere", Lookup::sphere},
                                                                          {"box", Lookup::box},
-                                                                         {"distance", Lookup::distance}}};
+                                                                         {"distance", Lookup::distance},
+                                                                         {"layered", Lookup::layered}}};
 
 std::string replaced(std::string_view given, std::string_view from, std::string_view to)
 {
@@ -22,26 +23,26 @@ std::string replaced(std::string_view given, std::string_view from, std::string_
     return text;
 }
 
-// mirrorball_shownDirection, and what it needs.
-std::string shownDirectionGlsl(const ReflectionMaterial& material)
+// mirrorball_shown, and what it needs.
+std::string_view shownGlsl(const ReflectionMaterial& material)
 {
     switch (material.lookup) {
     case Lookup::infinite:
         break;
     case Lookup::sphere:
-        return replaced(reflect::shaders::lookupProxy, "MIRRORBALL_BOX", "0");
     case Lookup::box:
-        return replaced(reflect::shaders::lookupProxy, "MIRRORBALL_BOX", "1");
+        return reflect::shaders::lookupProxy;
     case Lookup::distance:
-        return std::string(reflect::shaders::lookupMarch);
+    case Lookup::layered:
+        return reflect::shaders::lookupMarch;
     }
-    return std::string(reflect::shaders::lookupInfinite);
+    return reflect::shaders::lookupInfinite;
 }
 
 // A march looks many directions up; none of them needs the answers for those that are not regular.
 std::string marchMapGlsl(const ReflectionMaterial& material)
 {
-    if (material.lookup != Lookup::distance)
+    if (material.lookup != Lookup::distance && material.lookup != Lookup::layered)
         return {};
     return mapGlsl(material.map, material.version, material.prefix + "regular_", GlslInputs::regular);
 }
@@ -58,8 +59,11 @@ std::optional<Lookup> lookupFromName(std::string_view name)
 
 std::string reflectionGlsl(const ReflectionMaterial& material)
 {
-    const std::string text = std::string(reflect::shaders::uniforms) + shownDirectionGlsl(material) +
-                             std::string(reflect::shaders::material);
+    std::string text(reflect::shaders::uniforms);
+    text += shownGlsl(material);
+    text += reflect::shaders::material;
+    text = replaced(text, "MIRRORBALL_LAYERED", material.lookup == Lookup::layered ? "1" : "0");
+    text = replaced(text, "MIRRORBALL_BOX", material.lookup == Lookup::box ? "1" : "0");
     return mapGlsl(material.map, material.version, material.prefix) + marchMapGlsl(material) +
            replaced(text, "mirrorball_", material.prefix);
 }

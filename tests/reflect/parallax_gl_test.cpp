@@ -17,7 +17,8 @@ struct Named
 constexpr Named lookups[] = {{"infinite", Lookup::infinite},
                              {"sphere", Lookup::sphere},
                              {"box", Lookup::box},
-                             {"distance", Lookup::distance}};
+                             {"distance", Lookup::distance},
+                             {"layered", Lookup::layered}};
 
 void report(const char* scene, const char* name, const tests::ParallaxErrors& errors)
 {

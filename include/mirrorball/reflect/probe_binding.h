@@ -41,7 +41,8 @@ class MIRRORBALL_EXPORT ProbeBinding
 {
 public:
     // A linked program with reflectionGlsl in it (borrowed). Uses the texture units firstUnit and firstUnit
-    // + 1. Throws Error badArgument for a program that is not linked, or for units beyond the driver's limit.
+    // + 1, for Lookup::layered two more. Throws Error badArgument for a program that is not linked, or for
+    // units beyond the driver's limit.
     explicit ProbeBinding(unsigned int program, int firstUnit = 0, std::string prefix = "mirrorball_");
     ~ProbeBinding();
     ProbeBinding(ProbeBinding&&) noexcept;

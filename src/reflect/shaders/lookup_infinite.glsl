@@ -1,6 +1,6 @@
 // As if everything were infinitely far: the position does not count.
-vec3 mirrorball_shownDirection(vec3 positionInWorld, vec3 directionInWorld)
+vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
 {
-    return mirrorball_mapFromWorld * directionInWorld;
+    return vec4(mirrorball_mapFromWorld * directionInWorld, 0.0);
 }
 

@@ -27,12 +27,12 @@ float mirrorball_leaves(vec3 point, vec3 direction)
 }
 
 // Where the ray leaves the proxy as seen from the map's centre; where it never does, as if infinitely far.
-vec3 mirrorball_shownDirection(vec3 positionInWorld, vec3 directionInWorld)
+vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
 {
     vec3 point = (mirrorball_proxyFromWorld * vec4(positionInWorld, 1.0)).xyz;
     float leaves = mirrorball_leaves(point, mat3(mirrorball_proxyFromWorld) * directionInWorld);
     bool found = leaves > 0.0 && leaves < 1e30;
     vec3 shown = found ? positionInWorld - mirrorball_centreInWorld + leaves * directionInWorld : directionInWorld;
-    return mirrorball_mapFromWorld * shown;
+    return vec4(mirrorball_mapFromWorld * shown, 0.0);
 }
 

@@ -1,7 +1,12 @@
 vec4 mirrorball_lookUp(vec3 positionInWorld, vec3 directionInWorld)
 {
-    vec3 shown = mirrorball_shownDirection(positionInWorld, directionInWorld);
-    return textureLod(mirrorball_colourMap, mirrorball_coordinateFromDirection(shown), 0.0);
+    vec4 shown = mirrorball_shown(positionInWorld, directionInWorld);
+    vec3 coordinate = mirrorball_coordinateFromDirection(shown.xyz);
+#if MIRRORBALL_LAYERED
+    if (shown.w > 0.5)
+        return textureLod(mirrorball_hiddenColourMap, coordinate, 0.0);
+#endif
+    return textureLod(mirrorball_colourMap, coordinate, 0.0);
 }
 
 vec4 mirrorball_reflection(vec3 positionInWorld, vec3 normalInWorld, vec3 eyeInWorld)
@@ -25,8 +30,13 @@ vec4 mirrorball_material(vec4 own, vec4 reflection)
 vec4 mirrorball_shownPosition(vec3 positionInWorld, vec3 normalInWorld, vec3 eyeInWorld)
 {
     vec3 directionInWorld = mirrorball_reflected(normalInWorld, eyeInWorld - positionInWorld);
-    vec3 shown = mirrorball_shownDirection(positionInWorld, directionInWorld);
-    float radius = textureLod(mirrorball_distanceMap, mirrorball_coordinateFromDirection(shown), 0.0).r;
-    vec3 inWorld = mirrorball_centreInWorld + radius * (normalize(shown) * mirrorball_mapFromWorld);
+    vec4 shown = mirrorball_shown(positionInWorld, directionInWorld);
+    vec3 coordinate = mirrorball_coordinateFromDirection(shown.xyz);
+    float radius = textureLod(mirrorball_distanceMap, coordinate, 0.0).r;
+#if MIRRORBALL_LAYERED
+    if (shown.w > 0.5)
+        radius = textureLod(mirrorball_hiddenDistanceMap, coordinate, 0.0).r;
+#endif
+    vec3 inWorld = mirrorball_centreInWorld + radius * (normalize(shown.xyz) * mirrorball_mapFromWorld);
     return radius < 1e30 ? vec4(inWorld, 1.0) : vec4(0.0);
 }

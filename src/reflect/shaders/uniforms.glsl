@@ -1,5 +1,9 @@
 uniform sampler2DArray mirrorball_colourMap;
 uniform sampler2DArray mirrorball_distanceMap; // radial, world units
+#if MIRRORBALL_LAYERED
+uniform sampler2DArray mirrorball_hiddenColourMap; // what the first surface hides
+uniform sampler2DArray mirrorball_hiddenDistanceMap;
+#endif
 uniform mat3 mirrorball_mapFromWorld;
 uniform vec3 mirrorball_centreInWorld;
 uniform mat4 mirrorball_worldFromView;
