@@ -80,10 +80,16 @@ std::string qualifiers(const Varying& varying)
            (varying.auxiliary.empty() ? "" : varying.auxiliary + " ");
 }
 
-// A varying between the geometry and the fragment stage.
-std::string carriedDeclaration(const Varying& varying, const std::string& storage, const std::string& suffix)
+// A varying between the geometry and the fragment stage. Numbered, since a host's name with the library's
+// prefix could be a name of the library's.
+std::string carriedName(const Varying& varying)
 {
-    return storage + " " + varying.type + " " + prefix + varying.name + suffix + ";\n";
+    return prefix + "varying" + std::to_string(varying.declaration);
+}
+
+std::string carriedName(const Varying& varying, int corner)
+{
+    return carriedName(varying) + "_" + std::to_string(corner);
 }
 
 } // namespace
@@ -198,13 +204,14 @@ std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carr
                                   "[]" + varying.arraySuffix + ";\n";
         std::string copy;
         if (!isExact) {
-            declaration += carriedDeclaration(varying, qualifiers(varying) + "out", varying.arraySuffix);
-            copy = prefix + varying.name + " = " + varying.vertexName + "[" + prefix + "corner];\n";
+            declaration += qualifiers(varying) + "out " + varying.type + " " + carriedName(varying) +
+                           varying.arraySuffix + ";\n";
+            copy = carriedName(varying) + " = " + varying.vertexName + "[" + prefix + "corner];\n";
         }
         for (int corner = isFlat(varying) ? 2 : 0; isExact && corner < 3; ++corner) {
-            const std::string number = std::to_string(corner);
-            declaration += carriedDeclaration(varying, "flat out", number);
-            copy += prefix + varying.name + number + " = " + varying.vertexName + "[" + number + "];\n";
+            const std::string name = carriedName(varying, corner);
+            declaration += "flat out " + varying.type + " " + name + ";\n";
+            copy += name + " = " + varying.vertexName + "[" + std::to_string(corner) + "];\n";
         }
         declarations += onlyWhereDeclared(varying, declaration);
         copies += onlyWhereDeclared(varying, copy);
@@ -217,23 +224,23 @@ std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carr
 {
     if (carriage == Carriage::direct)
         return "void " + prefix + "readVaryings() {}\n";
+    const std::string weight = prefix + "weight";
     std::string declarations, reads;
     for (const Varying& varying : varyings) {
-        const std::string name = prefix + varying.name, weight = prefix + "weight";
+        std::string declaration, value;
         if (carriage == Carriage::copied) {
-            declarations += onlyWhereDeclared(
-                varying, carriedDeclaration(varying, qualifiers(varying) + "in", varying.arraySuffix));
-            reads += onlyWhereDeclared(varying, varying.name + " = " + name + ";\n");
-            continue;
+            declaration = qualifiers(varying) + "in " + varying.type + " " + carriedName(varying) +
+                          varying.arraySuffix + ";\n";
+            value = carriedName(varying);
         }
-        std::string declaration;
-        for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner)
-            declaration += carriedDeclaration(varying, "flat in", std::to_string(corner));
+        for (int corner = isFlat(varying) ? 2 : 0; carriage == Carriage::exact && corner < 3; ++corner) {
+            declaration += "flat in " + varying.type + " " + carriedName(varying, corner) + ";\n";
+            value += (value.empty() ? "" : " + ") +
+                     (isFlat(varying) ? "" : weight + "." + "xyz"[corner] + " * ") +
+                     carriedName(varying, corner);
+        }
         declarations += onlyWhereDeclared(varying, declaration);
-        const std::string interpolated = weight + ".x * " + name + "0 + " + weight + ".y * " + name + "1 + " +
-                                         weight + ".z * " + name + "2;\n";
-        reads += onlyWhereDeclared(varying,
-                                   varying.name + " = " + (isFlat(varying) ? name + "2;\n" : interpolated));
+        reads += onlyWhereDeclared(varying, varying.name + " = " + value + ";\n");
     }
     return declarations + "void " + prefix + "readVaryings()\n{\n" + reads + "}\n";
 }
