@@ -65,8 +65,7 @@ bool isNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance)
     return glm::distance(a, b) <= tolerance;
 }
 
-// ---- Against every triangle in double
-// ------------------------------------------------------------------------------
+// ---- Against every triangle in double --------------------------------------------------------------
 
 struct Brute
 {
@@ -178,8 +177,7 @@ void testFarAway()
     CHECK(!tracer.trace(scene.offset, {0.0624, 0, -1}, 0.0, infinity).found);
 }
 
-// ---- What is hit, and what is not
-// ------------------------------------------------------------------------------------
+// ---- What is hit, and what is not ------------------------------------------------------------------
 
 void testBothSidesAndRange()
 {
@@ -237,8 +235,7 @@ void testInterpolation()
     CHECK(isNear(hit.normal, glm::normalize(glm::dvec3(0.25, 0, 0.75)), 1e-15));
 }
 
-// ---- Images and alpha
-// ------------------------------------------------------------------------------------------------
+// ---- Images and alpha ------------------------------------------------------------------------------
 
 // 2 × 2: black, white (row v = 0), red, green with alpha 0.
 Image fourTexels()
@@ -290,8 +287,7 @@ void testAlpha()
     CHECK(look(0.25, 0.5).distance == 2.0);
 }
 
-// ---- Light
-// -----------------------------------------------------------------------------------------------------------
+// ---- Light -----------------------------------------------------------------------------------------
 
 void testShade()
 {
@@ -319,8 +315,7 @@ void testShade()
     CHECK(tracer.shade(Hit{}, eye, {0, 0, 9}) == scene.background);
 }
 
-// ---- Mirrors
-// ---------------------------------------------------------------------------------------------------------
+// ---- Mirrors ---------------------------------------------------------------------------------------
 
 Reflector ball(const glm::dvec3& at, double radius)
 {
@@ -400,8 +395,7 @@ void testTwoReflectors()
     CHECK(other.hit.reflector == 1 && other.mirrored.reflector == 0);
 }
 
-// ---- Threads
-// ---------------------------------------------------------------------------------------------------------
+// ---- Threads ---------------------------------------------------------------------------------------
 
 void testRows()
 {

@@ -13,11 +13,13 @@
 namespace mirrorball {
 
 enum class CaptureMethod {
-    automatic, // for each mesh and view, mapped vertices where that is proved good enough, else exact
-    exact, // every texel's direction is tested against the triangle's edges: right however large triangles
-           // are
-    perVertex, // the textbook way: vertices are mapped and edges stay straight, so large triangles are wrong;
-               // cube and octahedral maps are piecewise linear and therefore exact with every method
+    // For each mesh and view, mapped vertices where that is proved good enough, else exact.
+    automatic,
+    // Every texel's direction is tested against the triangle's edges: right however large triangles are.
+    exact,
+    // The textbook way: vertices are mapped and edges stay straight, so large triangles are wrong. Cube and
+    // octahedral maps are piecewise linear and therefore exact with every method.
+    perVertex,
 };
 
 enum class LayerOrder {
@@ -26,9 +28,10 @@ enum class LayerOrder {
 };
 
 enum class DepthTerm {
-    radial,  // one monotone function of the radial distance, the same for every method
-    textbook // tennis-ball |R|/100 + b² - 0.75, dual-paraboloid -+ z|R|/100 - 0.9: perVertex on these maps
-             // only
+    // One monotone function of the radial distance, the same for every method.
+    radial,
+    // tennis-ball |R|/100 + b² - 0.75, dual-paraboloid -+ z|R|/100 - 0.9: perVertex on these maps only.
+    textbook
 };
 
 enum class ColourFormat { rgba16f, rgba32f, rgba8 };

@@ -1,11 +1,11 @@
 // The cube map, with OpenGL's faces in OpenGL's order and orientation: +X -X +Y -Y +Z -Z. Great circles are
 // straight within a face; texels at a corner have 1/5 the solid angle of those in the middle.
 //
-// Formula   on the face of the largest coordinate m: u = (s / |m| + 1) / 2, v = (t / |m| + 1) / 2 with (s, t)
-// from
-//           the table of the OpenGL specification: +X (-z, -y), -X (z, -y), +Y (x, z), -Y (x, -z), +Z (x,
-//           -y), -Z (-x, -y). (-4, 3, -1) is on -X at (0.375, 0.125); a textbook that takes s from y and t
-//           from z of that face has (0.875, 0.375) instead, which no OpenGL cube map agrees with.
+// Formula   on the face of the largest coordinate m: u = (s / |m| + 1) / 2, v = (t / |m| + 1) / 2, with
+//           (s, t) from the table of the OpenGL specification: +X (-z, -y), -X (z, -y), +Y (x, z),
+//           -Y (x, -z), +Z (x, -y), -Z (-x, -y). (-4, 3, -1) is on -X at (0.375, 0.125); a textbook that
+//           takes s from y and t from z of that face has (0.875, 0.375) instead, which no OpenGL cube map
+//           agrees with.
 // Domain    every direction; from 1/64 above a face's horizon (0.9°) on its chart is held finite
 // Seam      of equally large coordinates x goes before y before z
 // Accuracy  (u, v) within 2^-22 in float, 4e-16 in double: tests/maps/maps_test.cpp

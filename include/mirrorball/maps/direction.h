@@ -5,8 +5,7 @@
 // - NaN in any coordinate, or nothing but zeros and subnormals: `front`, the centre of the map's component 0.
 // - Infinite coordinates count as ±1 and finite ones beside them as 0.
 // - Else the direction divided by its largest coordinate. Coordinates that are subnormal, before or after,
-// count
-//   as zero (float: below 2^-126, double: below 2^-1022): a GPU may flush them.
+//   count as zero (float: below 2^-126, double: below 2^-1022): a GPU may flush them.
 #pragma once
 
 #include <mirrorball/math/elementary.h>

@@ -1,12 +1,14 @@
 // The octahedral map: one square, the upper half of an octahedron in the middle and the lower half folded out
 // over its diagonals. Great circles are straight within an octant.
 //
-// Formula   (a, b) = (x, y) / (|x| + |y| + |z|), folded where z < 0: a' = (1 - |b|) sign a, b' = (1 - |a|)
-// sign b Source    Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, JCGT
-// 3(2), 2014 Domain    every direction Seam      the border: (u, v) and the point mirrored in the middle of
-// its side are the same direction, and so the
-//           square continues beyond it; (0, 0, -1) is all four corners, of which squareFromDirection gives
-//           (1, 1)
+// Formula   (a, b) = (x, y) / (|x| + |y| + |z|), folded where z < 0:
+//           a' = (1 - |b|) sign a, b' = (1 - |a|) sign b
+// Source    Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors,
+//           JCGT 3(2), 2014
+// Domain    every direction
+// Seam      the border: (u, v) and the point mirrored in the middle of its side are the same direction, and
+//           so the square continues beyond it; (0, 0, -1) is all four corners, of which squareFromDirection
+//           gives (1, 1)
 // Accuracy  (u, v) within 2^-22 in float, 4e-16 in double: tests/maps/maps_test.cpp
 #pragma once
 

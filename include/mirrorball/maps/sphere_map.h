@@ -7,10 +7,9 @@
 // Domain    every direction; outside the disc the square repeats its rim
 // Seam      the rim: (0, 0, -1) has (1, 1/2)
 // Accuracy  (u, v) within 2^-22 in float, 4e-16 in double: tests/maps/maps_test.cpp. With L = |(x, y, z)|,
-// behind
-//           the ball sqrt((L - z) / 2L) is taken along the unit vector of (x, y), for L + z has no accurate
-//           digit there. A step in (u, v) at distance e from the rim turns the direction by about sqrt(2 / e)
-//           steps.
+//           behind the ball sqrt((L - z) / 2L) is taken along the unit vector of (x, y), for L + z has no
+//           accurate digit there. A step in (u, v) at distance e from the rim turns the direction by about
+//           sqrt(2 / e) steps.
 #pragma once
 
 #include <mirrorball/maps/direction.h>

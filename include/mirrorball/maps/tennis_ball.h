@@ -2,10 +2,11 @@
 // halves. Latitude and longitude in each, kept within 45° of its equator: area varies by sqrt(2), angles by
 // sqrt(2), and of the classical maps none has a smaller worst texel (docs/maps.md).
 //
-// Formula   component 0: a = asin(y) / (pi/4), b = atan2(x, z) / (3 pi/4); component 1: the same of (y, x,
-// -z) Domain    every direction; the chart reaches a = ±2 at its poles and b = ±4/3 at its cut Seam      z =
-// 0 where |y| <= sqrt(1/2) or |x| >= sqrt(1/2), |y| = sqrt(1/2) and |x| = sqrt(1/2) elsewhere; the
-//           rectangles overlap by 6 %, texels past the seam belong to nobody
+// Formula   component 0: a = asin(y) / (pi/4), b = atan2(x, z) / (3 pi/4);
+//           component 1: the same of (y, x, -z)
+// Domain    every direction; the chart reaches a = ±2 at its poles and b = ±4/3 at its cut
+// Seam      z = 0 where |y| <= sqrt(1/2) or |x| >= sqrt(1/2), |y| = sqrt(1/2) and |x| = sqrt(1/2) elsewhere;
+//           the rectangles overlap by 6 %, texels past the seam belong to nobody
 // Poles     a component's own poles lie in the other component; there b is 0
 // Accuracy  (u, v) within 2^-22 in float, 4e-16 in double, inside the square: tests/maps/maps_test.cpp
 #pragma once

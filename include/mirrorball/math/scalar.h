@@ -11,8 +11,7 @@
 //     isNan  isInfinite                a condition, decided on bits: no compiler flag changes it
 //     both  either                     of conditions
 //     select(condition, yes, no)       both are evaluated: each must be finite. At a seam a derivative is
-//     that
-//                                      of the value taken
+//                                      that of the value taken
 //     component == k                   a condition on an Index<Real>
 //     named(value, "latitude")         the value; a name for it in printed GLSL
 //     atanPi  sinPiAcute               elementary.h; from them atan2Pi, sinPi, cosPi
@@ -36,10 +35,11 @@ template <class Real>
 struct ScalarTraits
 {
     using Index = int;
-    static constexpr double smallestNormal =
-        0x1p-126;                           // smaller ones count as zero, as on GPUs that flush them
-    static constexpr double large = 0x1p64; // above it, numbers are scaled down before dividing by them,
-    static constexpr double scaleOfLarge = 0x1p-32; // because a GPU may multiply by a subnormal reciprocal
+    // Smaller ones count as zero, as on GPUs that flush them.
+    static constexpr double smallestNormal = 0x1p-126;
+    // Above it, numbers are scaled down before dividing by them: a GPU may multiply by a subnormal reciprocal.
+    static constexpr double large = 0x1p64;
+    static constexpr double scaleOfLarge = 0x1p-32;
 };
 
 template <>

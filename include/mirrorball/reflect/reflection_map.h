@@ -12,8 +12,8 @@ struct ReflectionMap
     MapKind map = MapKind::tennisBall;
     int n = 0;
     unsigned int colourTexture = 0; // borrowed; GL_TEXTURE_2D_ARRAY, linear RGBA
-    unsigned int distanceTexture =
-        0; // borrowed; GL_TEXTURE_2D_ARRAY, radial distance in world units; 0 if unknown
+    // Borrowed; GL_TEXTURE_2D_ARRAY, radial distance in world units; 0 if unknown.
+    unsigned int distanceTexture = 0;
     glm::dmat4 worldFromProbe{1.0}; // rotation and translation: where directions are measured from
     // The second layer of depth, what the first hides; 0 if there is none.
     unsigned int hiddenColourTexture = 0;

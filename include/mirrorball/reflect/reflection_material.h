@@ -41,10 +41,9 @@ struct ReflectionMaterial
 //     vec4 mirrorball_lookUp(vec3 positionInWorld, vec3 directionInWorld)    the map along a ray
 //     vec4 mirrorball_reflection(vec3 positionInWorld, vec3 normalInWorld, vec3 eyeInWorld)
 //     vec4 mirrorball_reflectionInView(vec3 positionInView, vec3 normalInView)     eye at the origin
-//     vec4 mirrorball_material(vec4 own, vec4 reflection)           tint and blend, or `own` if not
-//     reflective vec4 mirrorball_shownPosition(vec3 positionInWorld, vec3 normalInWorld, vec3 eyeInWorld)
-//                                     xyz: the surface that the mirror shows, in world space; w: 1, or 0 if
-//                                     none
+//     vec4 mirrorball_material(vec4 own, vec4 reflection)    tint and blend, or `own` if not reflective
+//     vec4 mirrorball_shownPosition(vec3 positionInWorld, vec3 normalInWorld, vec3 eyeInWorld)
+//                        xyz: the surface that the mirror shows, in world space; w: 1, or 0 if none
 MIRRORBALL_EXPORT std::string reflectionGlsl(const ReflectionMaterial& material);
 
 } // namespace mirrorball
