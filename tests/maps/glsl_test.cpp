@@ -50,7 +50,7 @@ std::string complaints(const std::string& shader)
 {
     const std::string file = SCRATCH_FOLDER "/printed.frag";
     std::ofstream(file) << shader;
-    FILE* const validator = popen((GLSLANG_VALIDATOR " " + file + " 2>&1").c_str(), "r");
+    FILE* const validator = popen(("'" GLSLANG_VALIDATOR "' '" + file + "' 2>&1").c_str(), "r");
     CHECK(validator != nullptr);
     std::string output;
     std::array<char, 256> buffer;

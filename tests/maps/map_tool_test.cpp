@@ -27,8 +27,8 @@ Outcome run(const std::string& arguments, const std::string& input = "")
 {
     const std::string scratch = SCRATCH_FOLDER "/map_tool_";
     std::ofstream(scratch + "in") << input;
-    const std::string command =
-        MAP_TOOL " " + arguments + " < " + scratch + "in > " + scratch + "out 2> " + scratch + "err";
+    const std::string command = "'" MAP_TOOL "' " + arguments + " < '" + scratch + "in' > '" + scratch +
+                                "out' 2> '" + scratch + "err'";
     const int status = std::system(command.c_str());
     CHECK(WIFEXITED(status));
     return {WEXITSTATUS(status), textOf(scratch + "out"), textOf(scratch + "err")};
