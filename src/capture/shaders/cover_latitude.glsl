@@ -58,33 +58,10 @@ bool mirrorballCapture_holdsPole(vec3 edgeY, vec3 edgeLength, float side)
     return all(greaterThanEqual(side * edgeY, -1e-5 * edgeLength));
 }
 
-void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
+// A triangle that is large on the map, or near a pole or the cut.
+void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec3 along, float first, float last, bool wraps,
+                                   inout mirrorballCapture_Cover cover)
 {
-    vec3 unit[3];
-    vec2 square[3];
-    for (int k = 0; k < 3; ++k) {
-        unit[k] = normalize(mirrorballCapture_local(view, vertex[k]));
-        square[k] = mirrorballCapture_squareFromDirection(view, vertex[k]);
-        if (k > 0) {
-            float turns = (square[k].MIRRORBALL_ALONG - square[0].MIRRORBALL_ALONG) / MIRRORBALL_PERIOD;
-            square[k].MIRRORBALL_ALONG -= MIRRORBALL_PERIOD * floor(turns + 0.5);
-        }
-    }
-    vec3 along = vec3(square[0].MIRRORBALL_ALONG, square[1].MIRRORBALL_ALONG, square[2].MIRRORBALL_ALONG);
-    float first = min(min(along.x, along.y), along.z);
-    float last = max(max(along.x, along.y), along.z);
-    // Beyond this the triangle comes back into the layer at the other end.
-    bool wraps = first < 1.0 - MIRRORBALL_PERIOD || last > MIRRORBALL_PERIOD;
-    vec3 chord = vec3(distance(unit[1], unit[2]), distance(unit[2], unit[0]), distance(unit[0], unit[1]));
-    float steepest = max(max(abs(unit[0].y), abs(unit[1].y)), abs(unit[2].y));
-    // Within 60 degrees of the equator and with edges below half a radian: nearly straight on the map.
-    if (!wraps && steepest < 0.866 && max(max(chord.x, chord.y), chord.z) < 0.5) {
-        vec2 p[3];
-        for (int k = 0; k < 3; ++k)
-            p[k] = square[k] * mirrorballCapture_size;
-        mirrorballCapture_coverTriangle(p, chord * chord * MIRRORBALL_SAG, cover);
-        return;
-    }
     vec3 edgeY, edgeLength;
     for (int k = 0; k < 3; ++k) {
         edgeY[k] = mirrorballCapture_local(view, edge[k]).y;
@@ -109,4 +86,44 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec3 planes[4];
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
     mirrorballCapture_coverStrips(view, planes, events, max(first, 0.0), min(last, 1.0), cover);
+}
+
+void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
+{
+    vec3 unit[3];
+    vec2 square[3];
+    for (int k = 0; k < 3; ++k) {
+        unit[k] = normalize(mirrorballCapture_local(view, vertex[k]));
+        square[k] = mirrorballCapture_squareFromDirection(view, vertex[k]);
+        if (k > 0) {
+            float turns = (square[k].MIRRORBALL_ALONG - square[0].MIRRORBALL_ALONG) / MIRRORBALL_PERIOD;
+            square[k].MIRRORBALL_ALONG -= MIRRORBALL_PERIOD * floor(turns + 0.5);
+        }
+    }
+    vec3 along = vec3(square[0].MIRRORBALL_ALONG, square[1].MIRRORBALL_ALONG, square[2].MIRRORBALL_ALONG);
+    float first = min(min(along.x, along.y), along.z);
+    float last = max(max(along.x, along.y), along.z);
+    // Beyond this the triangle comes back into the layer at the other end.
+    bool wraps = first < 1.0 - MIRRORBALL_PERIOD || last > MIRRORBALL_PERIOD;
+    vec3 chord = vec3(distance(unit[1], unit[2]), distance(unit[2], unit[0]), distance(unit[0], unit[1]));
+    float steepest = max(max(abs(unit[0].y), abs(unit[1].y)), abs(unit[2].y));
+    // Within 60 degrees of the equator and with edges below half a radian: nearly straight on the map.
+    bool straight = !wraps && steepest < 0.866 && max(max(chord.x, chord.y), chord.z) < 0.5;
+    vec2 p[3];
+    for (int k = 0; k < 3; ++k)
+        p[k] = square[k] * mirrorballCapture_size;
+    mirrorballCapture_coverTriangle(p, chord * chord * MIRRORBALL_SAG, cover);
+#if MIRRORBALL_EQUIRECTANGULAR
+    bool beyond = false;
+#else
+    // Both caps beyond 45 degrees are convex: with all vertices in one of them (here 0.01 degrees further in), so is the
+    // triangle, and nothing of it lies on the layer.
+    vec3 sines = vec3(unit[0].y, unit[1].y, unit[2].y);
+    bool beyond = all(greaterThan(sines, vec3(0.70723))) || all(lessThan(sines, vec3(-0.70723)));
+#endif
+    cover.count = beyond ? 0 : cover.count;
+    // A loop of one turn, and not an if: software rasterisers skip loops that nobody enters and walk through both sides of
+    // an if.
+    for (int turns = straight || beyond ? 0 : 1; turns > 0; --turns)
+        mirrorballCapture_coverCurved(view, vertex, edge, along, first, last, wraps, cover);
 }

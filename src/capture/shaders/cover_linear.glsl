@@ -65,35 +65,9 @@ float mirrorballCapture_departure(int view, vec3 edge, float width)
 #endif
 }
 
-void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
+void mirrorballCapture_coverLarge(int view, vec3 vertex[3], vec3 edge[3], float first, float last,
+                                  inout mirrorballCapture_Cover cover)
 {
-    vec2 p[3];
-    bool inFront = true;
-    for (int k = 0; k < 3; ++k) {
-        vec3 local = mirrorballCapture_clipFromDirection[view] * vertex[k];
-        inFront = inFront && local.z > 0.3 * length(vertex[k]);
-        p[k] = local.xy / local.z;
-    }
-    float first = 0.0;
-    float last = 1.0;
-    if (inFront) {
-        vec3 chord = vec3(distance(p[1], p[2]), distance(p[2], p[0]), distance(p[0], p[1]));
-        for (int k = 0; k < 3; ++k)
-            p[k] = mirrorballCapture_texelFromStraight(p[k]);
-        if (max(max(chord.x, chord.y), chord.z) < 0.5) {
-#if MIRRORBALL_EQUI_ANGULAR_CUBE
-            // (4/pi) atan bends by at most 0.827 (its second derivative): sag <= 0.827 / 8 chord^2 in [-1, 1] on each
-            // axis.
-            vec3 sag = 0.147 * chord * chord * 0.5 * mirrorballCapture_size.x;
-#else
-            vec3 sag = vec3(0.0);
-#endif
-            mirrorballCapture_coverTriangle(p, sag, cover);
-            return;
-        }
-        first = clamp(min(min(p[0].y, p[1].y), p[2].y) / mirrorballCapture_size.y, 0.0, 1.0);
-        last = clamp(max(max(p[0].y, p[1].y), p[2].y) / mirrorballCapture_size.y, 0.0, 1.0);
-    }
     // Vertices, as far as they lie in front.
     float events[3] = float[3](0.5, 0.5, 0.5);
     for (int k = 0; k < 3; ++k) {
@@ -104,4 +78,32 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec3 planes[4];
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
     mirrorballCapture_coverStrips(view, planes, events, first, last, cover);
+}
+
+void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
+{
+    vec2 p[3];
+    bool inFront = true;
+    for (int k = 0; k < 3; ++k) {
+        vec3 local = mirrorballCapture_clipFromDirection[view] * vertex[k];
+        inFront = inFront && local.z > 0.3 * length(vertex[k]);
+        p[k] = local.xy / local.z;
+    }
+    vec3 chord = vec3(distance(p[1], p[2]), distance(p[2], p[0]), distance(p[0], p[1]));
+    bool small = inFront && max(max(chord.x, chord.y), chord.z) < 0.5;
+    for (int k = 0; k < 3; ++k)
+        p[k] = mirrorballCapture_texelFromStraight(p[k]);
+#if MIRRORBALL_EQUI_ANGULAR_CUBE
+    // (4/pi) atan bends by at most 0.827 (its second derivative): sag <= 0.827 / 8 chord^2 in [-1, 1] on each axis.
+    vec3 sag = 0.147 * chord * chord * 0.5 * mirrorballCapture_size.x;
+#else
+    vec3 sag = vec3(0.0);
+#endif
+    mirrorballCapture_coverTriangle(p, sag, cover);
+    vec3 y = vec3(p[0].y, p[1].y, p[2].y) / mirrorballCapture_size.y;
+    float first = inFront ? clamp(min(min(y.x, y.y), y.z), 0.0, 1.0) : 0.0;
+    float last = inFront ? clamp(max(max(y.x, y.y), y.z), 0.0, 1.0) : 1.0;
+    // A loop of one turn, since software rasterisers skip loops that nobody enters.
+    for (int turns = small ? 0 : 1; turns > 0; --turns)
+        mirrorballCapture_coverLarge(view, vertex, edge, first, last, cover);
 }

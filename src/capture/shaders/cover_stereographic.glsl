@@ -41,24 +41,8 @@ float mirrorballCapture_departure(int view, vec3 edge, float width)
     return 9.0;
 }
 
-void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
+void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 p[3], inout mirrorballCapture_Cover cover)
 {
-    vec2 p[3];
-    float lowest = 1.0;
-    for (int k = 0; k < 3; ++k) {
-        vec3 unit = normalize(mirrorballCapture_local(view, vertex[k]));
-        lowest = min(lowest, unit.z);
-        p[k] = unit.xy / max(1.0 + unit.z, 1e-6);
-    }
-    vec3 chord = vec3(distance(p[1], p[2]), distance(p[2], p[0]), distance(p[0], p[1]));
-    // An arc of a circle of radius >= 1 over a chord of at most 1/2 rises by less than 0.127 chord^2 over it.
-    if (lowest > -0.6 && max(max(chord.x, chord.y), chord.z) < 0.5) {
-        vec2 middle = 0.5 * mirrorballCapture_size;
-        for (int k = 0; k < 3; ++k)
-            p[k] = (p[k] + 1.0) * middle;
-        mirrorballCapture_coverTriangle(p, 0.127 * chord * chord * middle.x, cover);
-        return;
-    }
     // Vertices, and where an edge's circle is widest or ends.
     float events[12];
     for (int k = 0; k < 3; ++k) {
@@ -72,4 +56,26 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec3 planes[4];
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
     mirrorballCapture_coverStrips(view, planes, events, 0.0, 1.0, cover);
+}
+
+void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
+{
+    vec2 p[3];
+    float lowest = 1.0;
+    for (int k = 0; k < 3; ++k) {
+        vec3 unit = normalize(mirrorballCapture_local(view, vertex[k]));
+        lowest = min(lowest, unit.z);
+        p[k] = unit.xy / max(1.0 + unit.z, 1e-6);
+    }
+    vec3 chord = vec3(distance(p[1], p[2]), distance(p[2], p[0]), distance(p[0], p[1]));
+    // An arc of a circle of radius >= 1 over a chord of at most 1/2 rises by less than 0.127 chord^2 over it.
+    bool straight = lowest > -0.6 && max(max(chord.x, chord.y), chord.z) < 0.5;
+    vec2 middle = 0.5 * mirrorballCapture_size;
+    vec2 texel[3];
+    for (int k = 0; k < 3; ++k)
+        texel[k] = (p[k] + 1.0) * middle;
+    mirrorballCapture_coverTriangle(texel, 0.127 * chord * chord * middle.x, cover);
+    // A loop of one turn, since software rasterisers skip loops that nobody enters.
+    for (int turns = straight ? 0 : 1; turns > 0; --turns)
+        mirrorballCapture_coverCurved(view, vertex, edge, p, cover);
 }
