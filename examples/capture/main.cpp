@@ -58,7 +58,7 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
     const std::vector<mirrorball::CaptureMesh> meshes = drawable.captureMeshes(program);
     const PhongView phong{glm::vec3(lightOf(options, scene) - desc.captureOrigin), glm::vec3(0.0f)};
     const auto draw = [&](const mirrorball::CaptureMesh& mesh, const mirrorball::CaptureDraw& call) {
-        drawable.drawMesh(mesh.id, call.program, phong);
+        drawable.drawMesh(mesh.id, call.program, phong, 1, call.primitive);
     };
     mirrorball::CaptureReport report = probe.capture(meshes, draw); // compiles what it needs
     std::vector<double> wall, cpu;

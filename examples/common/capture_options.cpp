@@ -15,7 +15,8 @@ std::vector<std::pair<std::string, mirrorball::CaptureMethod>> captureMethods()
 {
     return {{"automatic", mirrorball::CaptureMethod::automatic},
             {"exact", mirrorball::CaptureMethod::exact},
-            {"perVertex", mirrorball::CaptureMethod::perVertex}};
+            {"perVertex", mirrorball::CaptureMethod::perVertex},
+            {"tessellated", mirrorball::CaptureMethod::tessellated}};
 }
 
 void addCaptureOptions(CLI::App& app, CaptureOptions& options)

@@ -182,7 +182,8 @@ std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureP
     return result;
 }
 
-void GlScene::drawMesh(std::size_t index, unsigned int program, const PhongView& view, int instances) const
+void GlScene::drawMesh(std::size_t index, unsigned int program, const PhongView& view, int instances,
+                       unsigned int primitive) const
 {
     const GlMesh& mesh = meshes_[index];
     const Material& material = materials_[static_cast<std::size_t>(mesh.material)];
@@ -199,8 +200,8 @@ void GlScene::drawMesh(std::size_t index, unsigned int program, const PhongView&
     glBindTexture(GL_TEXTURE_2D,
                   material.image >= 0 ? images_[static_cast<std::size_t>(material.image)].name() : 0u);
     glBindVertexArray(mesh.vertexArray.name());
-    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * mesh.triangleCount), GL_UNSIGNED_INT,
-                            nullptr, instances);
+    glDrawElementsInstanced(primitive, static_cast<GLsizei>(3 * mesh.triangleCount), GL_UNSIGNED_INT, nullptr,
+                            instances);
 }
 
 void GlScene::drawAll(unsigned int program, const PhongView& view) const

@@ -47,7 +47,8 @@ public:
     std::vector<mirrorball::CaptureMesh> captureMeshes(mirrorball::CaptureProgram& program) const;
 
     // Sets the material's uniforms on the program in use and draws, as often as asked in one call.
-    void drawMesh(std::size_t mesh, unsigned int program, const PhongView& view, int instances = 1) const;
+    void drawMesh(std::size_t mesh, unsigned int program, const PhongView& view, int instances = 1,
+                  unsigned int primitive = 4 /* GL_TRIANGLES */) const;
     void drawAll(unsigned int program, const PhongView& view) const;
 
 private:

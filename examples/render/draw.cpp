@@ -209,7 +209,7 @@ mirrorball::CaptureReport Renderer::capture(DrawnMirror& mirror)
     const glm::dvec3 centre(mirror.probe->desc().worldFromProbe[3]);
     const PhongView phong{view_.phong.light, glm::vec3(centre - setup_.origin)};
     return mirror.probe->capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
-        pieces[mesh.id].part->drawMesh(pieces[mesh.id].mesh, draw.program, phong);
+        pieces[mesh.id].part->drawMesh(pieces[mesh.id].mesh, draw.program, phong, 1, draw.primitive);
     });
 }
 

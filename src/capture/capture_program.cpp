@@ -87,6 +87,7 @@ std::string_view coverShader(MapKind map)
 Carriage carriageOf(const Variant& variant)
 {
     return variant.path == Path::exact               ? Carriage::exact
+           : variant.path == Path::tessellated       ? Carriage::copied
            : variant.layers == LayerOrder::allAtOnce ? Carriage::copied
                                                      : Carriage::direct;
 }
@@ -124,7 +125,7 @@ int cornersOf(const CaptureProgram::Implementation& host, const Variant& variant
 // mesh is known to lie within the chart, and exact capture tests every texel.
 bool cuts(const Variant& variant)
 {
-    return variant.path == Path::textbook ||
+    return variant.path == Path::textbook || variant.path == Path::tessellated ||
            (variant.path == Path::linear && variant.map == MapKind::octahedral);
 }
 
@@ -152,8 +153,8 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("TEXTBOOK_DUAL_PARABOLOID", textbook && variant.map == MapKind::dualParaboloid) +
            define("CLIPS_RANGE", variant.path == Path::linear) +
            define("DROPS_SMEAR", variant.path == Path::textbook && wraps) +
-           define("PERSPECTIVE", variant.path == Path::mapped) + define("CUTS", cuts(variant)) +
-           define("ALL_AT_ONCE", variant.layers == LayerOrder::allAtOnce) +
+           define("PERSPECTIVE", variant.path == Path::mapped || variant.path == Path::tessellated) +
+           define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", variant.layers == LayerOrder::allAtOnce) +
            define("PEELS", variant.peels) + coverDefines(variant.map);
 }
 
@@ -168,7 +169,10 @@ public:
     }
 
     bool isExact() const { return variant_.path == Path::exact; }
-    bool hasGeometryShader() const { return carriage_ != Carriage::direct; }
+    bool isTessellated() const { return variant_.path == Path::tessellated; }
+    bool hasGeometryShader() const { return carriage_ != Carriage::direct && !isTessellated(); }
+    // Whether varyings pass another stage between vertex and fragment stage.
+    bool carries() const { return carriage_ != Carriage::direct; }
 
     // The library's text comes before the host's, so that no macro or global name of the host's can meet it;
     // what comes after only calls.
@@ -177,15 +181,15 @@ public:
         HostShader::Changes changes;
         changes.identifiers = {{"main", prefix + "hostMain"}};
         changes.removed = {"gl_PerVertex", "gl_ClipDistance"};
-        changes.prelude = ours() + (hasGeometryShader() ? std::string(shaders::vertexAll)
-                                                        : map_ + project() + std::string(shaders::vertexOne));
+        changes.prelude = ours() + (carries() ? std::string(shaders::vertexAll)
+                                              : map_ + project() + std::string(shaders::vertexOne));
         if (host_.vertex.mentions("gl_ClipDistance")) {
             changes.identifiers.push_back({"gl_ClipDistance", prefix + "ignoredClipDistance"});
             changes.prelude += "float " + prefix + "ignoredClipDistance[8];\n";
         }
         // The geometry stage reads varyings by name.
         for (const Varying& varying : host_.varyings)
-            if (hasGeometryShader())
+            if (carries())
                 changes.withoutLayout.push_back(varying.vertexName);
         return host_.vertex.versionLine() + host_.vertex.body(changes) + "#line 1 1\n" +
                std::string(shaders::vertexMain);
@@ -203,6 +207,19 @@ public:
         return text + host_.fragment.skeleton(declarationMark) + geometryVaryings(host_.varyings, carriage_);
     }
 
+    std::string tessellationControl() const
+    {
+        return "#version 400 core\n" + defines_ + std::string(shaders::tessellationControl) +
+               host_.fragment.skeleton(declarationMark) + controlVaryings(host_.varyings);
+    }
+
+    std::string tessellationEvaluation() const
+    {
+        return "#version 400 core\n" + defines_ + map_ + project() +
+               std::string(shaders::tessellationEvaluation) + host_.fragment.skeleton(declarationMark) +
+               evaluationVaryings(host_.varyings);
+    }
+
     std::string fragment() const
     {
         const bool facing = isExact() && host_.fragment.mentions("gl_FrontFacing");
@@ -212,9 +229,9 @@ public:
         changes.globals = host_.outputs.others;
         changes.withoutLayout = {host_.outputs.colour};
         changes.removed = {"gl_FragDepth", "gl_FragCoord", "early_fragment_tests"};
-        changes.mark = hasGeometryShader() ? declarationMark : "";
+        changes.mark = carries() ? declarationMark : "";
         for (const Varying& varying : host_.varyings)
-            if (hasGeometryShader())
+            if (carries())
                 changes.globals.push_back(varying.name);
         const auto substitute = [&](const std::string& type, const std::string& from, const std::string& to) {
             changes.prelude += type + " " + prefix + to + ";\n";
@@ -260,6 +277,12 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     if (assembly.hasGeometryShader())
         sources.push_back({GL_GEOMETRY_SHADER, assembly.geometry(),
                            "the library's geometry shader for '" + host.desc.name + "'"});
+    if (assembly.isTessellated()) {
+        sources.push_back({GL_TESS_CONTROL_SHADER, assembly.tessellationControl(),
+                           "the library's tessellation control shader for '" + host.desc.name + "'"});
+        sources.push_back({GL_TESS_EVALUATION_SHADER, assembly.tessellationEvaluation(),
+                           "the library's tessellation evaluation shader for '" + host.desc.name + "'"});
+    }
     LinkedProgram result;
     result.program =
         gl::linkProgram(sources, "capture program '" + host.desc.name + "'", [&](unsigned int program) {
@@ -278,6 +301,7 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     result.inwardPlanes = location("inwardPlanes");
     result.lineFromDirection = location("lineFromDirection");
     result.cullBackFaces = location("cullBackFaces");
+    result.steps = location("steps");
     result.firstDistance = location("firstDistance");
     result.layer = location("layer");
     result.separation = location("separation");

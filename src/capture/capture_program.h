@@ -16,11 +16,12 @@ namespace mirrorball::capture {
 
 // How a draw reaches the map. CaptureMethod says what the host asks for; this is what is done for one mesh.
 enum class Path {
-    linear,   // ordinary rasterisation, on cube and octahedral maps as exact as the rasteriser's snapping
-              // (1/256 texel)
-    textbook, // vertices mapped, w = 1
-    mapped,   // vertices mapped, w = distance, so that varyings interpolate in perspective
-    exact     // homogeneous rasterisation in direction space
+    linear,      // ordinary rasterisation, on cube and octahedral maps as exact as the rasteriser's snapping
+                 // (1/256 texel)
+    textbook,    // vertices mapped, w = 1
+    mapped,      // vertices mapped, w = distance, so that varyings interpolate in perspective
+    tessellated, // cut up, then mapped
+    exact        // homogeneous rasterisation in direction space
 };
 
 struct Variant
@@ -40,7 +41,7 @@ struct LinkedProgram
     gl::Program program;
     // Uniform locations; -1 where a variant has none.
     int probeFromWorld, view, depth, range, size, clipFromDirection, inwardPlanes, lineFromDirection,
-        cullBackFaces, firstDistance, layer, separation;
+        cullBackFaces, steps, firstDistance, layer, separation;
     bool usesClipDistances;
     bool writesDepth;
 };

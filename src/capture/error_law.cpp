@@ -117,6 +117,12 @@ std::optional<double> bendOf(MapKind map, int view, const glm::dvec3& centre, do
     return std::nullopt;
 }
 
+double tessellationSteps(int n, double epsilon)
+{
+    // The largest bend at the borders of views: 0.16 n a radian², at an equi-angular face's corner.
+    return std::sqrt(0.16 * n / epsilon);
+}
+
 bool mappingSuffices(MapKind map, int view, const MeshBounds& mesh, int n, double epsilon)
 {
     const double nearest = glm::length(mesh.centre) - mesh.radius;

@@ -30,4 +30,8 @@ std::optional<double> bendOf(MapKind map, int view, const glm::dvec3& centre, do
 // angles.
 bool mappingSuffices(MapKind map, int view, const MeshBounds& mesh, int n, double epsilon);
 
+// Pieces a radian that tessellation needs for the same accuracy, within the views of every map but near the poles of
+// those that have some.
+double tessellationSteps(int n, double epsilon);
+
 } // namespace mirrorball::capture

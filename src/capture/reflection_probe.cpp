@@ -99,6 +99,7 @@ struct ReflectionProbe::Implementation
     void compile(std::span<const CaptureMesh> meshes);
     capture::Variant variantOf(const CaptureMesh& mesh, int view) const;
     unsigned int use(const CaptureMesh& mesh, int view);
+    unsigned int primitive() const;
     void setUniforms(const LinkedProgram& linked, int view) const;
     void bindFirstLayer() const;
     void publish();
@@ -117,6 +118,12 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
     if (!(desc.epsilon > 0.0f))
         throw Error(ErrorKind::badArgument, "a probe's epsilon", "it is " + std::to_string(desc.epsilon),
                     "give a number of texels above 0");
+    if (desc.method == CaptureMethod::tessellated && epoxy_gl_version() < 40)
+        throw Error(ErrorKind::unsupported, "tessellated capture", "the context is older than OpenGL 4.0",
+                    "make a newer one or use exact");
+    if (desc.method == CaptureMethod::tessellated && desc.layers == LayerOrder::allAtOnce)
+        throw Error(ErrorKind::badArgument, "tessellated capture into all layers at once",
+                    "there is no such order", "draw one layer at a time or use exact");
     const bool textbookMap = desc.map == MapKind::tennisBall || desc.map == MapKind::dualParaboloid;
     if (desc.depthTerm == DepthTerm::textbook && !(textbookMap && desc.method == CaptureMethod::perVertex))
         throw Error(ErrorKind::badArgument, "textbook depth terms",
@@ -292,12 +299,21 @@ capture::Variant ReflectionProbe::Implementation::variantOf(const CaptureMesh& m
         variant.path = Path::linear;
     else if (desc.method == CaptureMethod::perVertex)
         variant.path = Path::textbook;
+    else if (desc.method == CaptureMethod::tessellated)
+        variant.path = Path::tessellated;
     else if (mesh.bounds && view >= 0 && // a draw into all layers at once has no one view to judge by
              capture::mappingSuffices(desc.map, view, seen, desc.n, static_cast<double>(desc.epsilon)))
         variant.path = Path::mapped;
     if (variant.path != Path::exact)
         variant.large = false;
     return variant;
+}
+
+// What the host's draws must be made of.
+unsigned int ReflectionProbe::Implementation::primitive() const
+{
+    const bool cuts = desc.method == CaptureMethod::tessellated && !capture::isPiecewiseLinear(desc.map);
+    return cuts ? GL_PATCHES : GL_TRIANGLES;
 }
 
 unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int view)
@@ -317,6 +333,11 @@ unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int v
         (linked.usesClipDistances ? glEnable : glDisable)(GL_CLIP_DISTANCE0 + plane);
     // Covering polygons have no winding of their own: the geometry shader culls.
     (mesh.cullBackFaces && path != Path::exact ? glEnable : glDisable)(GL_CULL_FACE);
+    if (path == Path::tessellated) {
+        glUniform1f(linked.steps, static_cast<float>(
+                                      capture::tessellationSteps(desc.n, static_cast<double>(desc.epsilon))));
+        glPatchParameteri(GL_PATCH_VERTICES, 3);
+    }
     glUniform1i(linked.cullBackFaces, mesh.cullBackFaces ? 1 : 0);
     // With all at once the geometry shader has turned front faces counter-clockwise.
     glFrontFace(view < 0 || capture::orientation(desc.map, view) > 0 ? GL_CCW : GL_CW);
@@ -344,7 +365,7 @@ void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh
             if (mesh.bounds && !touches(view, *mesh.bounds))
                 ++report.drawsCulled;
             else
-                draw(mesh, {use(mesh, view), view});
+                draw(mesh, {use(mesh, view), view, primitive()});
         }
 }
 
@@ -366,7 +387,7 @@ void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh>
         else if (fitsAtOnce(mesh))
             touched = {-1};
         for (const int view : touched)
-            draw(mesh, {use(mesh, view), view});
+            draw(mesh, {use(mesh, view), view, primitive()});
     }
 }
 

@@ -220,6 +220,37 @@ std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carr
     return declarations + "void " + prefix + "copyVaryings" + parameters + "\n{\n" + copies + "}\n";
 }
 
+std::string controlVaryings(const std::vector<Varying>& varyings)
+{
+    std::string declarations, copies;
+    const std::string corner = "[gl_InvocationID]"; // outputs may be written at no other
+    for (const Varying& varying : varyings) {
+        const std::string name = carriedName(varying) + "_control";
+        declarations += onlyWhereDeclared(varying, "in " + varying.type + " " + varying.vertexName +
+                                                       "[];\nout " + varying.type + " " + name + "[];\n");
+        copies += onlyWhereDeclared(varying, name + corner + " = " + varying.vertexName + corner + ";\n");
+    }
+    return declarations + "void " + prefix + "copyVaryings()\n{\n" + copies + "}\n";
+}
+
+std::string evaluationVaryings(const std::vector<Varying>& varyings)
+{
+    std::string declarations, mixes;
+    const std::string weight = prefix + "weight";
+    for (const Varying& varying : varyings) {
+        const std::string name = carriedName(varying) + "_control";
+        declarations +=
+            onlyWhereDeclared(varying, "in " + varying.type + " " + name + "[];\n" + qualifiers(varying) +
+                                           "out " + varying.type + " " + carriedName(varying) + ";\n");
+        std::string value = name + "[2]"; // of a flat one: the provoking vertex is the last
+        if (!isFlat(varying))
+            value = weight + ".x * " + name + "[0] + " + weight + ".y * " + name + "[1] + " + weight +
+                    ".z * " + value;
+        mixes += onlyWhereDeclared(varying, carriedName(varying) + " = " + value + ";\n");
+    }
+    return declarations + "void " + prefix + "mixVaryings(vec3 " + weight + ")\n{\n" + mixes + "}\n";
+}
+
 std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carriage)
 {
     if (carriage == Carriage::direct)

@@ -60,6 +60,10 @@ bool hasRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertic
 // or of all three (exact).
 std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carriage);
 
+// Declarations of the tessellation stages and their functions copyVaryings and mixVaryings.
+std::string controlVaryings(const std::vector<Varying>& varyings);
+std::string evaluationVaryings(const std::vector<Varying>& varyings);
+
 // Declarations of the fragment stage behind a geometry stage and the function readVaryings, which sets the
 // host's globals.
 std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carriage);

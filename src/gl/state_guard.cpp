@@ -200,6 +200,7 @@ void StateGuard::readRasterState()
     cullFace_ = integer(GL_CULL_FACE_MODE);
     frontFace_ = integer(GL_FRONT_FACE);
     provokingVertex_ = integer(GL_PROVOKING_VERTEX);
+    patchVertices_ = epoxy_gl_version() >= 40 ? integer(GL_PATCH_VERTICES) : 0;
     glGetIntegerv(GL_POLYGON_MODE, polygonModes_.data()); // core contexts answer one value, others two
     if (isCompatibility())
         clampFragmentColour_ = integer(GL_CLAMP_FRAGMENT_COLOR);
@@ -318,6 +319,8 @@ void StateGuard::restoreRasterState() const
     if (polygonModes_[1] != 0 && polygonModes_[1] != polygonModes_[0])
         glPolygonMode(GL_BACK, static_cast<GLenum>(polygonModes_[1]));
     glProvokingVertex(static_cast<GLenum>(provokingVertex_));
+    if (patchVertices_ > 0)
+        glPatchParameteri(GL_PATCH_VERTICES, patchVertices_);
     if (isCompatibility())
         glClampColor(GL_CLAMP_FRAGMENT_COLOR, static_cast<GLenum>(clampFragmentColour_));
     if (hasClipControl())

@@ -67,7 +67,7 @@ private:
     std::vector<std::array<unsigned char, 4>> colourMasks_;
     std::vector<Blend> blends_;
     unsigned char depthMask_ = 1;
-    int depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, provokingVertex_ = 0;
+    int depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, provokingVertex_ = 0, patchVertices_ = 0;
     std::array<int, 2> polygonModes_{}; // front, back
     int clampFragmentColour_ = 0;       // compatibility contexts only
     int clipOrigin_ = 0, clipDepth_ = 0;

@@ -62,7 +62,7 @@ Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
          .fragmentSource = examples::phongFragmentSource(examples::View::triangle)});
     const auto meshes = drawable.captureMeshes(program);
     probe.capture(meshes, [&](const mirrorball::CaptureMesh& mesh, const mirrorball::CaptureDraw& draw) {
-        drawable.drawMesh(mesh.id, draw.program, {});
+        drawable.drawMesh(mesh.id, draw.program, {}, 1, draw.primitive);
     });
     const auto layers =
         examples::readMap(probe.map(), examples::View::triangle, glm::dvec3(0.0), scene.background);

@@ -20,6 +20,10 @@ enum class CaptureMethod {
     // The textbook way: vertices are mapped and edges stay straight, so large triangles are wrong. Cube and
     // octahedral maps are piecewise linear and therefore exact with every method.
     perVertex,
+    // The usual remedy, for comparison: tessellation shaders cut triangles until mapped vertices are within
+    // epsilon, up to 64 pieces an edge. Needs OpenGL 4.0, one layer at a time, and a host that draws with
+    // CaptureDraw::primitive.
+    tessellated,
 };
 
 enum class LayerOrder {
@@ -66,6 +70,7 @@ struct CaptureDraw
 {
     unsigned int program; // GL name, to set the host's own uniforms on
     int view; // 0 … viewCount - 1: a component, or an octant of the octahedral map; -1 for all at once
+    unsigned int primitive = 4; // what glDraw* takes: GL_TRIANGLES (4), or GL_PATCHES for `tessellated` only
 };
 
 // The target of a texture that the host hands over.
