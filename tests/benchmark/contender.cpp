@@ -16,6 +16,7 @@ constexpr LibraryMethod methods[] = {
     {"automatic", CaptureMethod::automatic, LayerOrder::oneAtATime},
     {"exact", CaptureMethod::exact, LayerOrder::oneAtATime},
     {"perVertex", CaptureMethod::perVertex, LayerOrder::oneAtATime},
+    {"tessellated", CaptureMethod::tessellated, LayerOrder::oneAtATime},
     {"exact-all-at-once", CaptureMethod::exact, LayerOrder::allAtOnce},
     {"perVertex-all-at-once", CaptureMethod::perVertex, LayerOrder::allAtOnce},
 };
@@ -33,7 +34,7 @@ public:
     {
         const mirrorball::CaptureReport report = probe_.capture(
             meshes_, [&](const mirrorball::CaptureMesh& mesh, const mirrorball::CaptureDraw& call) {
-                stage_.drawMesh(mesh.id, call.program);
+                stage_.drawMesh(mesh.id, call.program, 1, call.primitive);
             });
         return {report.draws, report.triangles};
     }
@@ -84,9 +85,9 @@ std::vector<mirrorball::CaptureMesh> Stage::meshes(View view, bool cullBackFaces
     return meshes;
 }
 
-void Stage::drawMesh(std::size_t mesh, unsigned int program, int instances) const
+void Stage::drawMesh(std::size_t mesh, unsigned int program, int instances, unsigned int primitive) const
 {
-    drawable_.drawMesh(mesh, program, phong_, instances);
+    drawable_.drawMesh(mesh, program, phong_, instances, primitive);
 }
 
 std::size_t Stage::vertexCount() const

@@ -32,7 +32,8 @@ public:
     const SceneChoice& choice() const { return choice_; }
     const examples::Scene& scene() const { return scene_; }
     std::vector<mirrorball::CaptureMesh> meshes(examples::View view, bool cullBackFaces) const;
-    void drawMesh(std::size_t mesh, unsigned int program, int instances = 1) const;
+    void drawMesh(std::size_t mesh, unsigned int program, int instances = 1,
+                  unsigned int primitive = 4) const;
 
     std::size_t triangleCount() const { return drawable_.triangleCount(); }
     std::size_t vertexCount() const;
