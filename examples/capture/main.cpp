@@ -9,6 +9,7 @@
 #include "stats.h"
 
 #include <mirrorball/capture/reflection_probe.h>
+#include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 
 #include <iostream>
@@ -22,10 +23,12 @@ struct Options : CaptureOptions
     glm::dvec3 at{0.0};
     glm::dvec3 turn{0.0}; // degrees about x, y, z
     double near = 0.05;
+    int supersample = 1;
     View view = View::colour;
     std::string prefix;
 
     glm::dvec3 centre() const { return at + offset; }
+    int samplesAcross() const { return size * supersample; }
 };
 
 using Files = std::vector<std::pair<std::filesystem::path, mirrorball::io::ExrImage>>;
@@ -35,12 +38,25 @@ std::filesystem::path fileName(const Options& options, int component)
     return options.prefix + "_" + std::to_string(component) + ".exr";
 }
 
+// samples: k × k a texel.
+Files::value_type fileOf(const Options& options, int component, const std::vector<Sample>& samples, int k)
+{
+    const mirrorball::MapInfo& info = mirrorball::mapInfo(options.map);
+    const int width = info.widthInN * options.size, height = info.heightInN * options.size;
+    return {fileName(options, component),
+            exrOf(width, height, options.view,
+                  k == 1 ? samples : reduced(samples, width, height, k, options.view))};
+}
+
 Files drawMap(const Options& options, const Scene& scene, Stats& stats)
 {
     const mirrorball::headless::Context context;
     mirrorball::ReflectionProbe::Desc desc;
     desc.map = options.map;
-    desc.n = options.size;
+    // Only colours have a mean: of anything else every sample is captured, and one is written.
+    const bool isAveraged = options.view == View::colour;
+    desc.n = isAveraged ? options.size : options.samplesAcross();
+    desc.supersample = isAveraged ? options.supersample : 1;
     desc.worldFromProbe = poseOf(options.centre(), options.turn);
     desc.captureOrigin = options.centre();
     desc.near = static_cast<float>(options.near);
@@ -50,6 +66,7 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
                       : mirrorball::ColourFormat::rgba32f;
     desc.background = glm::vec4(scene.background, 1.0f);
     desc.method = options.method;
+    desc.epsilon = static_cast<float>(options.epsilon);
     mirrorball::ReflectionProbe probe(desc);
     const GlScene drawable(scene, desc.captureOrigin);
     mirrorball::CaptureProgram program({.name = "phong",
@@ -78,12 +95,10 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
     stats.add("texels", static_cast<double>(report.texels));
 
     const auto layers = readMap(probe.map(), options.view, desc.captureOrigin, scene.background);
-    const mirrorball::MapInfo& info = mirrorball::mapInfo(options.map);
     Files files;
-    for (int component = 0; component < info.components; ++component)
-        files.emplace_back(fileName(options, component),
-                           exrOf(info.widthInN * options.size, info.heightInN * options.size, options.view,
-                                 layers[static_cast<std::size_t>(component)]));
+    for (const std::vector<Sample>& layer : layers)
+        files.push_back(
+            fileOf(options, static_cast<int>(files.size()), layer, isAveraged ? 1 : options.supersample));
     return files;
 }
 
@@ -112,7 +127,8 @@ Files traceMap(const Options& options, const Scene& scene)
     const glm::dmat3 worldFromProbe(poseOf(options.centre(), options.turn));
     const ReferenceTracer tracer(scene, options.centre());
     const mirrorball::MapInfo& info = mirrorball::mapInfo(options.map);
-    const int width = info.widthInN * options.size, height = info.heightInN * options.size;
+    const int width = info.widthInN * options.samplesAcross(),
+              height = info.heightInN * options.samplesAcross();
     Files files;
     for (int component = 0; component < info.components; ++component) {
         std::vector<Sample> samples(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -125,7 +141,7 @@ Files traceMap(const Options& options, const Scene& scene)
                         static_cast<std::size_t>(column)] = traced(options, scene, tracer, direction);
             }
         });
-        files.emplace_back(fileName(options, component), exrOf(width, height, options.view, samples));
+        files.push_back(fileOf(options, component, samples, options.supersample));
     }
     return files;
 }
@@ -133,6 +149,13 @@ Files traceMap(const Options& options, const Scene& scene)
 void run(const Options& options)
 {
     requireAllowed(options);
+    if (options.supersample < 1 || options.supersample > 16)
+        throw mirrorball::Error(mirrorball::ErrorKind::badArgument,
+                                "--supersample " + std::to_string(options.supersample),
+                                "a texel has 1 to 16 by as many samples", "ask for a number in that range");
+    if (options.samplesAcross() > 16384)
+        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--size times --supersample",
+                                "a map has at most 16384 samples across", "ask for less");
     requireRange(options.near, options.far);
     requireFinite(options.at, "--at");
     requireFinite(options.turn, "--probe-turn");
@@ -168,6 +191,7 @@ int main(int argc, char** argv)
     app.add_option("-o,--output", options.prefix, "writes PREFIX_0.exr and so on")
         ->required()
         ->type_name("PREFIX");
-    refuseOptions(app, {"--epsilon", "--supersample"});
+    addInteger(app, "--supersample", options.supersample,
+               "k x k samples a texel; colours are averaged, anything else is of one sample");
     return runProgram(app, argc, argv, [&] { run(options); });
 }

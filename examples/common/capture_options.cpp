@@ -29,6 +29,7 @@ void addCaptureOptions(CLI::App& app, CaptureOptions& options)
     addMap(app, options.map);
     addInteger(app, "--size", options.size, "texels across the short side of a component");
     addChoice(app, "--method", options.method, captureMethods(), "how triangles are drawn into the map");
+    addNumber(app, "--epsilon", options.epsilon, "texels that the method automatic may be off by");
     addNumber(app, "--far", options.far, "farthest radial distance from the probe");
     addInteger(app, "--frames", options.frames, "how often it is drawn; times are medians");
     app.add_flag("--reference", options.reference, "trace with Embree instead of drawing");
@@ -63,6 +64,8 @@ void requireAllowed(const CaptureOptions& options)
     if (options.frames < 1)
         throw Error(ErrorKind::badArgument, "--frames " + std::to_string(options.frames), "it is less than 1",
                     "give 1 or more");
+    if (!(options.epsilon > 0.0) || !std::isfinite(options.epsilon))
+        throw Error(ErrorKind::badArgument, "--epsilon", "it is not above 0", "give a number of texels");
     requireFinite(options.offset, "--offset");
     if (options.light)
         requireFinite(*options.light, "--light");

@@ -26,7 +26,8 @@ struct CaptureOptions
     mirrorball::MapKind map = mirrorball::MapKind::tennisBall;
     int size = 256;
     mirrorball::CaptureMethod method = mirrorball::CaptureMethod::automatic;
-    double far = 10000.0; // radial, from the probe
+    double epsilon = 1.0 / 16.0; // texels that automatic may be off by
+    double far = 10000.0;        // radial, from the probe
     int frames = 1;
     bool reference = false;
     std::string stats;

@@ -68,6 +68,30 @@ std::vector<std::vector<Sample>> readMap(const mirrorball::ReflectionMap& map, V
     return result;
 }
 
+std::vector<Sample> reduced(const std::vector<Sample>& samples, int width, int height, int k, View view)
+{
+    std::vector<Sample> texels;
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const auto sampleAt = [&](int x, int y) -> const Sample& {
+                return samples[static_cast<std::size_t>(row * k + y) * static_cast<std::size_t>(width * k) +
+                               static_cast<std::size_t>(column * k + x)];
+            };
+            Sample texel = sampleAt(k / 2, k / 2);
+            if (view == View::colour) {
+                texel.colour = glm::dvec3(0.0);
+                texel.alpha = 0.0f;
+                for (int y = 0; y < k; ++y)
+                    for (int x = 0; x < k; ++x) {
+                        texel.colour += sampleAt(x, y).colour / static_cast<double>(k * k);
+                        texel.alpha += sampleAt(x, y).alpha / static_cast<float>(k * k);
+                    }
+            }
+            texels.push_back(texel);
+        }
+    return texels;
+}
+
 void writeAll(const std::vector<std::pair<std::filesystem::path, mirrorball::io::ExrImage>>& files)
 {
     std::vector<std::filesystem::path> partial;

@@ -31,6 +31,10 @@ Sample nothingSeen(View view, const glm::vec3& background);
 std::vector<std::vector<Sample>> readMap(const mirrorball::ReflectionMap& map, View view,
                                          const glm::dvec3& origin, const glm::vec3& background);
 
+// k × k samples of a layer make one texel of a layer of `width` texels: the mean colour; anything else, and the
+// distance, is that of the sample nearest to the texel's centre.
+std::vector<Sample> reduced(const std::vector<Sample>& samples, int width, int height, int k, View view);
+
 // All files are written or none: they appear under temporary names first. Throws mirrorball::Error,
 // unwritable.
 void writeAll(const std::vector<std::pair<std::filesystem::path, mirrorball::io::ExrImage>>& files);

@@ -180,6 +180,7 @@ void Renderer::addMirror(const Mirror& mirror)
                                   .far = static_cast<float>(options_.far),
                                   .background = glm::vec4(setup_.scene.background, 1.0f),
                                   .method = options_.method,
+                                  .epsilon = static_cast<float>(options_.epsilon),
                                   .layersOfDepth = options_.lookup == mirrorball::Lookup::layered ? 2 : 1});
     }
     mirrors_.push_back(std::move(drawn));

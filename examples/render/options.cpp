@@ -83,7 +83,7 @@ CommandLine::CommandLine(CLI::App& app)
     app.add_option("-o,--output", options_.output, "the picture, by its extension a PNG or an EXR")
         ->required()
         ->type_name("OUT.png|exr");
-    refuseOptions(app, {"--ior", "--roughness", "--blur", "--epsilon"});
+    refuseOptions(app, {"--ior", "--roughness", "--blur"});
 }
 
 void CommandLine::addReflectorOptions(CLI::App& app)

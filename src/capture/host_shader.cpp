@@ -36,7 +36,7 @@ std::size_t afterDirective(const std::string& text, std::size_t at)
 {
     while (at < text.size() && text[at] != '\n') {
         if (text[at] == '\\' && at + 1 < text.size())
-            at += text.compare(at + 1, 2, "\r\n") == 0 ? 2 : 1;
+            ++at;
         const std::size_t next = afterComment(text, at);
         at = next > at ? next : at + 1;
     }
@@ -79,6 +79,12 @@ std::string_view directiveName(std::string_view line)
 
 HostShader::HostShader(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name))
 {
+    // Line ends of Windows go: beside the library's own ones drivers lose count of lines.
+    std::size_t kept = 0;
+    for (std::size_t at = 0; at < text_.size(); ++at)
+        if (text_.compare(at, 2, "\r\n") != 0)
+            text_[kept++] = text_[at];
+    text_.resize(kept);
     readVersion();
     readTokens();
     readDeclarations();
@@ -128,7 +134,7 @@ void HostShader::readVersion()
     if (version_ < 330 || line.find("es", digits) != std::string::npos)
         throw Error(ErrorKind::badShader, name_, "it is written for " + line.substr(line.find("version")),
                     "use #version 330 core or later");
-    versionLine_ = line.substr(0, line.find('\r')) + "\n";
+    versionLine_ = line + "\n";
     bodyBegin_ = std::min(end + 1, text_.size());
 }
 
