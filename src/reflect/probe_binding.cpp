@@ -74,7 +74,7 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
     if (linked != GL_TRUE)
         throw Error(ErrorKind::badArgument, asked, "program " + std::to_string(program) + " is not linked",
                     "link it first");
-    const bool isLayered = glGetUniformLocation(program, (prefix + "hiddenColourMap").c_str()) >= 0;
+    const bool isLayered = glGetUniformLocation(program, (prefix + "hiddenDistanceMap").c_str()) >= 0;
     const int units = isLayered ? mostUnits : 2;
     const int limit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     if (firstUnit < 0 || firstUnit + units > limit)
@@ -130,7 +130,8 @@ ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialS
     const unsigned int textures[mostUnits] = {map.colourTexture, map.distanceTexture, map.hiddenColourTexture,
                                               map.hiddenDistanceTexture};
     const gl::Sampler& colourSampler = settings.filtering == Filtering::linear ? self.linear : self.nearest;
-    const unsigned int samplers[mostUnits] = {colourSampler.name(), self.nearest.name(), colourSampler.name(),
+    // Around what is hidden there is nothing: filtering would mix it in.
+    const unsigned int samplers[mostUnits] = {colourSampler.name(), self.nearest.name(), self.nearest.name(),
                                               self.nearest.name()};
     for (int unit = 0; unit < self.units; ++unit) {
         const auto index = static_cast<GLuint>(self.firstUnit + unit);

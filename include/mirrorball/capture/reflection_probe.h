@@ -67,7 +67,7 @@ public:
         // as in Mara, McGuire, Nowrouzezahrai, Luebke, "Deep G-buffers for stable global illumination
         // approximation", 2016), so that it is what the first one hides and not its own back.
         int layersOfDepth = 1;
-        float layerSeparation = 0.1f;
+        float layerSeparation = 0.3f;
     };
 
     using DrawMesh = std::function<void(const CaptureMesh&, const CaptureDraw&)>;

@@ -4,12 +4,18 @@
 // and the point of the ray in direction v lies at 1 / radius = (1 - s) / (|position| |v|). A plane's 1 / radius times
 // |v| is linear in v. So regula falsi finds a plane in one step, however far it is, and nothing beyond the march's
 // end is left out.
-const int mirrorball_steps = 8;        // of the march
+#if MIRRORBALL_LAYERED
+const int mirrorball_steps = 16;       // of the march
+#else
+const int mirrorball_steps = 8;
+#endif
 const int mirrorball_refinements = 4;  // of one crossing
 const int mirrorball_hiddenSteps = 16; // of the march behind an edge
 const int mirrorball_halvings = 6;     // of a crossing there
 // A ray that is found this much of the distance behind a surface has not met it but slipped behind its edge.
 const float mirrorball_slip = 0.05;
+// In place of how far the ray is behind a second surface that was not captured: behind it as well.
+const float mirrorball_unknown = 1e30;
 
 // |v| / distance of what is seen in direction v; 0 where that is nothing.
 float mirrorball_nearness(sampler2DArray distances, vec3 coordinate, float size)
@@ -30,9 +36,10 @@ vec2 mirrorball_behind(vec3 v, float inverse)
     vec3 coordinate = mirrorball_regular_coordinateFromDirection(v);
     float size = length(v);
 #if MIRRORBALL_LAYERED
-    float second = mirrorball_nearness(mirrorball_hiddenDistanceMap, coordinate, size) - inverse;
+    float nearness = mirrorball_nearness(mirrorball_hiddenDistanceMap, coordinate, size);
+    float second = nearness > 0.0 ? nearness - inverse : mirrorball_unknown;
 #else
-    float second = 1.0; // nothing is known there: behind it as well
+    float second = mirrorball_unknown;
 #endif
     return vec2(mirrorball_nearness(mirrorball_distanceMap, coordinate, size) - inverse, second);
 }
