@@ -1,6 +1,5 @@
 // GLM and the core: no window, no context, no file.
-#include <mirrorball/error.h>
-#include <mirrorball/maps/maps.h>
+#include <mirrorball/mirrorball.h>
 
 #include <glm/vec3.hpp>
 
