@@ -124,7 +124,7 @@ CLI::Option* addInteger(CLI::App& app, const std::string& name, int& value, cons
         char* end = nullptr;
         const long number = std::strtol(text.c_str(), &end, 10);
         if (text.empty() || *end != '\0' || number != static_cast<int>(number))
-            throw CLI::ConversionError(name + ": '" + text + "' is not an integer");
+            throw CLI::ConversionError(name + ": '" + text + "' is not an integer of 32 bits");
         value = static_cast<int>(number);
     };
     return app.add_option_function<std::string>(name, parse, description)

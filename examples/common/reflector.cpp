@@ -8,10 +8,10 @@
 
 #include <glm/common.hpp>
 
-#include <charconv>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
-#include <string_view>
 
 namespace examples {
 namespace {
@@ -21,14 +21,15 @@ using mirrorball::ErrorKind;
 
 Mesh sphereReflector(const std::string& name)
 {
-    const std::string_view number = std::string_view(name).substr(name.find(':') + 1);
-    float radius = 0.0f;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), radius);
-    if (error == std::errc::invalid_argument || end != number.data() + number.size()) {
+    const std::string number = name.substr(name.find(':') + 1);
+    char* end = nullptr;
+    const float radius = std::strtof(number.c_str(), &end); // hex floats too
+    const bool blank = number.empty() || std::isspace(static_cast<unsigned char>(number[0])) != 0;
+    if (blank || end != number.c_str() + number.size()) {
         throw Error(ErrorKind::unknownName, "reflector " + name, "the radius is no number",
                     "write sphere:1.5");
     }
-    if (error != std::errc() || !std::isfinite(radius) || radius <= 0.0f) {
+    if (!std::isfinite(radius) || radius <= 0.0f) {
         throw Error(ErrorKind::badArgument, "reflector " + name, "the radius must be positive and finite");
     }
     Mesh mesh = meshOf("sphere", 0);

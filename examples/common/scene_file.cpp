@@ -340,10 +340,10 @@ glm::vec3 defaultLight(const Scene& scene)
 
 Scene readSceneFile(const std::string& file)
 {
-    const std::string asked = "scene " + file;
+    const std::string asked = "model " + file;
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) {
-        throw Error(ErrorKind::notFound, asked, "no such file", "give a model file or a built-in scene");
+        throw Error(ErrorKind::notFound, asked, "no such file", "give a file or one of the built-in names");
     }
     if (std::filesystem::file_size(file, ignored) == 0) {
         throw Error(ErrorKind::badFile, asked, "the file is empty");

@@ -246,7 +246,12 @@ int main(int argc, char** argv)
 {
     Options options;
     CLI::App app("Sphere maps: coordinates, GLSL and measures", "map_tool");
-    app.require_subcommand(1);
+    // Not require_subcommand(1), which would hide the name of an unknown one.
+    app.require_subcommand(0, 1);
+    app.callback([&app] {
+        if (app.get_subcommands().empty())
+            throw CLI::RequiredError("A subcommand");
+    });
     addForward(app, options);
     addInverse(app, options);
     addGlsl(app, options);

@@ -269,6 +269,7 @@ void testErrors(const tests::Scratch& scratch)
     CHECK_THROWS(loadReflector("toaster"), ErrorKind::notFound);
     CHECK_THROWS(loadReflector("sphere:"), ErrorKind::unknownName);
     CHECK_THROWS(loadReflector("sphere:1x"), ErrorKind::unknownName);
+    CHECK(loadReflector("sphere:0x1.8p0").positions == loadReflector("sphere:1.5").positions);
     CHECK_THROWS(loadReflector("sphere:0"), ErrorKind::badArgument);
     CHECK_THROWS(loadReflector("sphere:-1"), ErrorKind::badArgument);
     CHECK_THROWS(loadReflector("sphere:nan"), ErrorKind::badArgument);

@@ -100,6 +100,7 @@ void checkRefusals()
     checkRefuses(2, "measure --size 99999999999", "99999999999");
     checkRefuses(2, "convert a.png --to cube -o b", "convert");
     checkRefuses(2, "", "ubcommand");
+    checkRefuses(2, "backward --map cube", "backward");
     checkRefuses(1, "measure --size 0", "--size 0");
     checkRefuses(1, "measure --size -3", "--size -3");
     checkRefuses(1, "measure --size 2000000000", "--size");
