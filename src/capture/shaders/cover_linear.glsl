@@ -94,8 +94,9 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     for (int k = 0; k < 3; ++k)
         p[k] = mirrorballCapture_texelFromStraight(p[k]);
 #if MIRRORBALL_EQUI_ANGULAR_CUBE
-    // (4/pi) atan bends by at most 0.827 (its second derivative): sag <= 0.827 / 8 chord^2 in [-1, 1] on each axis.
-    vec3 sag = 0.147 * chord * chord * 0.5 * mirrorballCapture_size.x;
+    // (4/pi) atan bends by at most 0.827 (its second derivative) on each axis. Sideways that tells most on a diagonal,
+    // where either axis has half of chord^2: sag <= sqrt(2) * 0.827 / 8 * chord^2 / 2, rounded up by a tenth.
+    vec3 sag = 0.08 * chord * chord * 0.5 * mirrorballCapture_size.x;
 #else
     vec3 sag = vec3(0.0);
 #endif
