@@ -105,6 +105,15 @@ examples::Scene difficultTriangles(unsigned int seed, int count)
     return sceneOf(triangles);
 }
 
+// A needle of the house that lies along one row of texels of the equi-angular cube at n = 64, thinner than the
+// rasteriser's steps: its covering polygon once lost half of it.
+examples::Scene needleAlongARow()
+{
+    return sceneOf({{glm::vec3(-2.42401934f, 2.03949499f, -1.23652613f),
+                     glm::vec3(-2.42435265f, 2.03997135f, -1.23652613f),
+                     glm::vec3(-2.42435265f, 2.03997135f, -0.011507988f)}});
+}
+
 // What has no area, or is not a number, covers nothing and harms nothing.
 void checkDropped(MapKind map)
 {
@@ -150,6 +159,7 @@ int main(int argc, char** argv)
             check("random triangles", randomTriangles(seed, 40), glm::dvec3(0.0), n, info.kind);
             check("difficult triangles", difficultTriangles(seed, 48), glm::dvec3(0.0), n, info.kind);
         }
+        check("a needle along a row", needleAlongARow(), glm::dvec3(0.0), 64, info.kind);
         checkDropped(info.kind);
     }
     return 0;

@@ -97,14 +97,17 @@ vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORB
     ivec2 bindingFrom, bindingTo, ignored;
     vec2 begin = mirrorballCapture_extentAt(view, edge, from, bindingFrom);
     vec2 end = mirrorballCapture_extentAt(view, edge, to, bindingTo);
+    // The rasteriser may move the strip's ends along, too: a triangle that is thin that way changes its extent within less.
+    float guard = mirrorballCapture_guard / mirrorballCapture_size.MIRRORBALL_ALONG;
     vec2 extent = vec2(20.0, -20.0);
-    if (begin.x <= begin.y)
-        extent = begin;
-    if (end.x <= end.y)
-        extent = vec2(min(extent.x, end.x), max(extent.y, end.y));
     bool corners = false;
-    for (int index = 0; index < MIRRORBALL_EVENTS; ++index) {
-        float place = clamp(events[index], from, to);
+    for (int index = 0; index < MIRRORBALL_EVENTS + 4; ++index) {
+        float event = index < MIRRORBALL_EVENTS ? events[min(index, MIRRORBALL_EVENTS - 1)]
+                      : index == MIRRORBALL_EVENTS       ? from
+                      : index == MIRRORBALL_EVENTS + 1   ? to
+                      : index == MIRRORBALL_EVENTS + 2   ? from - guard
+                                                         : to + guard;
+        float place = clamp(event, from - guard, to + guard);
         vec2 found = mirrorballCapture_extentAt(view, edge, place, ignored);
         if (found.x <= found.y)
             extent = vec2(min(extent.x, found.x), max(extent.y, found.y));
