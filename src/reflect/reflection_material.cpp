@@ -2,7 +2,11 @@
 
 #include "reflect_shaders.h"
 
+#include <mirrorball/maps/measures.h>
+
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace mirrorball {
@@ -55,6 +59,18 @@ std::optional<Lookup> lookupFromName(std::string_view name)
         if (known == name)
             return lookup;
     return std::nullopt;
+}
+
+bool infiniteSuffices(MapKind map, int n, double radius, double nearestDistance)
+{
+    // The side of a square as large as the smallest texel. Smallest and mean keep their ratio with n, so a
+    // small map tells it; steradians are shared out evenly otherwise.
+    constexpr int small = 32;
+    const MapMeasures measures = mapMeasures(map, small);
+    const double texels = static_cast<double>(measures.texels) * n * n / (small * small);
+    const double sphere = 4.0 * std::numbers::pi;
+    const double texel = std::sqrt(sphere / texels * measures.smallestSolidAngle);
+    return radius < nearestDistance * std::sin(texel);
 }
 
 std::string reflectionGlsl(const ReflectionMaterial& material)

@@ -28,6 +28,11 @@ enum class Lookup {
 
 MIRRORBALL_EXPORT std::optional<Lookup> lookupFromName(std::string_view name);
 
+// Whether Lookup::infinite is right to within the smallest texel of a map of size n: for a reflector of this
+// radius around the probe, and everything that it mirrors at least so far from the probe. A point of its
+// surface sees a place at most asin(radius / distance) away from where the probe sees it.
+MIRRORBALL_EXPORT bool infiniteSuffices(MapKind map, int n, double radius, double nearestDistance);
+
 struct ReflectionMaterial
 {
     MapKind map = MapKind::tennisBall;

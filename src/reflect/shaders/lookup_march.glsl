@@ -5,7 +5,7 @@
 // |v| is linear in v. So regula falsi finds a plane in one step, however far it is, and nothing beyond the march's
 // end is left out.
 #if MIRRORBALL_LAYERED
-const int mirrorball_steps = 16;       // of the march
+const int mirrorball_steps = 24;       // of the march
 #else
 const int mirrorball_steps = 8;
 #endif
@@ -68,7 +68,7 @@ vec4 mirrorball_behindEdge(vec3 start, vec3 towards, float inverse, float low, f
                     here = between;
                 }
             }
-            float tolerance = 2.0 * mirrorball_slip * (1.0 - far) * inverse;
+            float tolerance = mirrorball_slip * (1.0 - far) * inverse;
             if (here.x <= tolerance)
                 return vec4(mix(start, towards, far), 0.0);
             if (here.y >= 0.0 && here.y <= tolerance)
