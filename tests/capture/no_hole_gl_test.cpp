@@ -310,7 +310,8 @@ void checkSendings(Program& program, const Drawable& drawable, MapKind map, Capt
 int main(int argc, char** argv)
 {
     const headless::Context context;
-    const int points = argc > 1 ? std::atoi(argv[1]) : 60;
+    // For each shape and map; 10,000 in all.
+    const int points = argc > 1 ? std::atoi(argv[1]) : 625;
     Program program;
     const Drawable sphere(bumpySphere(9, 14)), twelve(box());
     for (const MapInfo& info : maps()) {
