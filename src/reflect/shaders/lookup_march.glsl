@@ -5,7 +5,7 @@
 // |v| is linear in v. So regula falsi finds a plane in one step, however far it is, and nothing beyond the march's
 // end is left out.
 #if MIRRORBALL_LAYERED
-const int mirrorball_steps = 24;       // of the march
+const int mirrorball_steps = 24; // of the march; what is thinner than one may be missed
 #else
 const int mirrorball_steps = 8;
 #endif
@@ -44,7 +44,8 @@ vec2 mirrorball_behind(vec3 v, float inverse)
     return vec2(mirrorball_nearness(mirrorball_distanceMap, coordinate, size) - inverse, second);
 }
 
-// Goes on behind the edge at `low`, where the first surface was still ahead: w is the layer of depth.
+// Goes on from `high`, just behind an edge, where both surfaces may be ahead or behind: w is the layer of depth. Where
+// nothing is found it stays at `low`, just before the edge.
 vec4 mirrorball_behindEdge(vec3 start, vec3 towards, float inverse, float low, float high)
 {
     float from = high;
