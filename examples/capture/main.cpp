@@ -90,6 +90,8 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
     stats.add("pass1_cpu_ms", median(cpu));
     stats.add("draws", report.draws);
     stats.add("draws_culled", report.drawsCulled);
+    stats.add("draws_exact", report.drawsExact);
+    stats.add("draws_mapped", report.drawsMapped);
     stats.add("triangles", static_cast<double>(report.triangles));
     stats.add("scene_triangles", static_cast<double>(drawable.triangleCount()));
     stats.add("texels", static_cast<double>(report.texels));

@@ -141,9 +141,17 @@ int main(int argc, char** argv)
 {
     const headless::Context context;
     const int n = argc > 2 ? std::atoi(argv[2]) : 64;
-    if (argc > 1) {
-        for (const MapInfo& info : maps())
-            check(argv[1], examples::loadScene(argv[1]), glm::dvec3(0.01, 0.02, 0.03), n, info.kind);
+    if (argc > 1) { // SCENE [n [x y z]]: one scene only, seen from there
+        const glm::dvec3 at = argc > 5
+                                  ? glm::dvec3(std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5]))
+                                  : glm::dvec3(0.01, 0.02, 0.03);
+        examples::Scene scene = examples::loadScene(argv[1]);
+        for (const MapInfo& info : maps()) {
+            scene.offset = glm::dvec3(0.0);
+            check(scene.name, scene, at, n, info.kind);
+            scene.offset = glm::dvec3(1e6, -1e6, 1e6);
+            check(scene.name + ", 1e6 away", scene, scene.offset + at, n, info.kind);
+        }
         return 0;
     }
     for (const MapInfo& info : maps()) {
