@@ -51,7 +51,7 @@ int eventsOf(MapKind map)
 // Sag of an arc on the map over its chord, in texels: a constant times chord² (of unit directions). The
 // constants are the suprema over arcs with both ends within 60 degrees of the equator and chords up to 1/2
 // (for the sphere map within 120 degrees of its centre and up to 1/5), 0.183, 0.183, 0.0914 and 0.0813 in
-// units of n, rounded up by a tenth; tests/capture/sag_test.cpp holds them.
+// units of n, rounded up by a tenth; tests/capture/error_law_test.cpp holds them.
 std::string coverDefines(MapKind map)
 {
     const bool tennisBall = map == MapKind::tennisBall || map == MapKind::tennisBallEven;
