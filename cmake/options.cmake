@@ -59,6 +59,7 @@ if(PROJECT_IS_TOP_LEVEL)
     mirrorball_missing(testsMissing GLEW "${glew_FOUND}")
     mirrorball_missing(testsMissing glslangValidator "${MIRRORBALL_GLSLANG_VALIDATOR}")
     mirrorball_part(MIRRORBALL_TESTS "Tests" ${testsMissing})
+    option(MIRRORBALL_LONG_TESTS "Tests that take minutes each, too" OFF)
 endif()
 
 option(MIRRORBALL_WERROR "Warnings are errors" OFF)
