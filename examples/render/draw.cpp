@@ -32,9 +32,8 @@ bool hasClipControl()
 // Depth is near / distance: floats are dense where that is small, so a near plane very close to the eye costs
 // no precision, and no far plane is needed. Without clip control depth has to pass through [-1, 1], which
 // keeps only 24 bits, and the near plane moves out.
-PictureView pictureView(const Setup& setup, const glm::ivec2& size)
+PictureView pictureView(const Setup& setup, const Camera& camera, const glm::ivec2& size)
 {
-    const Camera& camera = setup.camera;
     const double near = setup.farthest * (hasClipControl() ? 1e-6 : 1e-3);
     const glm::dvec3 eye = camera.eye - setup.origin;
     const glm::dmat4 viewFromWorld = glm::lookAt(eye, camera.look - setup.origin, camera.up);
@@ -83,17 +82,18 @@ public:
                            .vertexSource = phongVertexSource(),
                            .fragmentSource = phongFragmentSource(View::colour)})
     {
-        resize(options.pixels);
+        look(setup.camera, options.pixels);
         for (const Mirror& mirror : setup.mirrors)
             addMirror(mirror);
     }
 
-    // Makes the picture that is drawn from now on so large.
-    void resize(const glm::ivec2& size)
+    // From where, and how large, pictures are drawn from now on.
+    void look(const Camera& camera, const glm::ivec2& size)
     {
+        view_ = pictureView(setup_, camera, size);
+        if (size != size_)
+            target_.emplace(size);
         size_ = size;
-        view_ = pictureView(setup_, size);
-        target_.emplace(size);
     }
 
     // The maps; what they hold together.
@@ -306,10 +306,23 @@ Picture drawPicture(const Setup& setup, const Options& options, Stats& stats)
     stats.add("scene_triangles", static_cast<double>(renderer.triangleCount()));
     stats.add("texels", static_cast<double>(report.texels));
     if (options.supersample > 1) {
-        renderer.resize(setup.camera.samples);
+        renderer.look(setup.camera, setup.camera.samples);
         renderer.draw();
     }
     return renderer.picture();
+}
+
+void drawPath(const Setup& setup, const Options& options, const std::vector<Camera>& path,
+              const std::function<void(const Picture&)>& use)
+{
+    const mirrorball::headless::Context context;
+    Renderer renderer(setup, options);
+    renderer.capture();
+    for (const Camera& camera : path) {
+        renderer.look(camera, camera.samples);
+        renderer.draw();
+        use(renderer.picture());
+    }
 }
 
 } // namespace render

@@ -37,9 +37,9 @@ Judged judged(const Words& words, MapKind map = MapKind::tennisBall)
         ParallaxErrors& of = errors[&lookup - lookups];
         of = judge.judge(map, lookup.lookup);
         std::printf("%s %s, %s: %d pixels, mean %.4f p95 %.3f max %.2f degrees, wrong %.3f %% (grazing "
-                    "%.2f %%), %.2f dB\n",
+                    "%.2f %%), %.2f dB, FLIP %.4f\n",
                     words[0].c_str(), std::string(mapInfo(map).name).c_str(), lookup.name, of.pixels, of.mean,
-                    of.p95, of.max, of.wrongPercent, of.grazingWrongPercent, of.psnr);
+                    of.p95, of.max, of.wrongPercent, of.grazingWrongPercent, of.psnr, of.flip);
     }
     return {errors[0], errors[1], errors[2], errors[3], errors[4]};
 }
@@ -52,6 +52,7 @@ void checkNeverWorse(const Judged& errors)
         CHECK(better->mean < errors.infinite.mean);
         CHECK(better->wrongPercent < errors.infinite.wrongPercent);
         CHECK(better->psnr > errors.infinite.psnr);
+        CHECK(better->flip < errors.infinite.flip);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "support/parallax.h"
 
-#include <glm/common.hpp>
+#include "support/picture_error.h"
+
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -13,12 +14,6 @@ namespace {
 
 using mirrorball::Lookup;
 using mirrorball::MapKind;
-
-double encoded(double linear)
-{
-    const double value = glm::clamp(linear, 0.0, 1.0);
-    return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-}
 
 double angleInDegrees(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -39,22 +34,6 @@ glm::dvec3 unitRay(const render::Camera& camera, int x, int y)
 bool isNothing(const glm::dvec3& position)
 {
     return std::isnan(position.x);
-}
-
-double psnrOf(const render::Picture& drawn, const render::Picture& traced)
-{
-    double sum = 0.0, count = 0.0;
-    for (std::size_t index = 0; index < traced.samples.size(); ++index) {
-        if (traced.reflectors[index] != 1 || drawn.reflectors[index] != 1)
-            continue;
-        for (int channel = 0; channel < 3; ++channel) {
-            const double difference = encoded(drawn.samples[index].colour[channel]) -
-                                      encoded(traced.samples[index].colour[channel]);
-            sum += difference * difference;
-            count += 1.0;
-        }
-    }
-    return -10.0 * std::log10(sum / count);
 }
 
 } // namespace
@@ -132,7 +111,9 @@ ParallaxErrors ParallaxJudge::judge(MapKind map, Lookup lookup) const
     }
     errors.wrongPercent = 100.0 * wrong / errors.pixels;
     errors.grazingWrongPercent = grazing > 0 ? 100.0 * grazingWrong / grazing : 0.0;
-    errors.psnr = psnrOf(draw(map, lookup, examples::View::colour), colours_);
+    const render::Picture coloured = draw(map, lookup, examples::View::colour);
+    errors.psnr = psnrOf(coloured, colours_);
+    errors.flip = flipOf(coloured, colours_);
     return errors;
 }
 

@@ -21,6 +21,7 @@ struct ParallaxErrors
     // grazing ones, where the cosine between normal and eye is below 0.1, count for themselves.
     double wrongPercent = 0.0, grazingWrongPercent = 0.0;
     double psnr = 0.0; // decibels, of the sRGB encoded colours
+    double flip = 0.0; // the mean over the reflector's pixels
 };
 
 // The traced pictures of one setup, and drawn ones against them.
