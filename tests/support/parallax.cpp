@@ -38,6 +38,14 @@ bool isNothing(const glm::dvec3& position)
 
 } // namespace
 
+bool neverWorse(const ParallaxErrors& errors, const ParallaxErrors& infinite)
+{
+    return errors.mean <= infinite.mean && errors.p95 <= infinite.p95 &&
+           errors.wrongPercent <= infinite.wrongPercent &&
+           errors.grazingWrongPercent <= infinite.grazingWrongPercent && errors.psnr >= infinite.psnr &&
+           errors.flip <= infinite.flip;
+}
+
 render::Options renderOptions(const std::vector<std::string>& words)
 {
     CLI::App app;

@@ -24,6 +24,22 @@ struct ParallaxErrors
     double flip = 0.0; // the mean over the reflector's pixels
 };
 
+struct NamedLookup
+{
+    const char* name;
+    mirrorball::Lookup lookup;
+};
+
+constexpr NamedLookup lookups[] = {{"infinite", mirrorball::Lookup::infinite},
+                                   {"sphere", mirrorball::Lookup::sphere},
+                                   {"box", mirrorball::Lookup::box},
+                                   {"distance", mirrorball::Lookup::distance},
+                                   {"layered", mirrorball::Lookup::layered}};
+
+// Whether a look-up errs no more than `infinite` does, by any of the measures but the largest angle, which is one
+// pixel's.
+bool neverWorse(const ParallaxErrors& errors, const ParallaxErrors& infinite);
+
 // The traced pictures of one setup, and drawn ones against them.
 class ParallaxJudge
 {

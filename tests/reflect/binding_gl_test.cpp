@@ -1,0 +1,126 @@
+// A binding changes the texture and the sampler of its own units, two or four, and the uniforms of its program; when it
+// is let go, nothing. Whatever state the host has left its context in.
+#include "support/check.h"
+#include "support/gl_image.h"
+#include "support/gl_state.h"
+#include "support/hostile_state.h"
+#include "support/six_walls.h"
+
+#include <mirrorball/headless/context.h>
+#include <mirrorball/reflect/probe_binding.h>
+#include <mirrorball/reflect/reflection_material.h>
+
+#include <cstdio>
+
+using namespace mirrorball;
+
+namespace {
+
+constexpr int firstUnit = 5;
+
+struct Fixture
+{
+    tests::SixWalls walls{glm::vec3(0.0f), 8};
+    ReflectionProbe probe;
+    GLuint program;
+    int units;
+
+    explicit Fixture(Lookup lookup)
+        : probe({.n = 16, .near = 0.1f, .far = 50.0f, .layersOfDepth = lookup == Lookup::layered ? 2 : 1}),
+          program(tests::makeProgram(tests::fullScreenVertexSource,
+                                     "#version 330 core\n" + reflectionGlsl({.lookup = lookup}) +
+                                         "in vec2 uv; out vec4 colour;\n"
+                                         "void main() { colour = mirrorball_reflection(vec3(uv, 2), vec3(uv, "
+                                         "1), vec3(0, 0, 5)); }\n")),
+          units(lookup == Lookup::layered ? 4 : 2)
+    {
+        const CaptureMesh mesh = walls.mesh();
+        probe.capture({&mesh, 1}, [&](const CaptureMesh&, const CaptureDraw&) { walls.draw(); });
+    }
+    ~Fixture() { glDeleteProgram(program); }
+    Fixture(const Fixture&) = delete;
+    Fixture& operator=(const Fixture&) = delete;
+
+    // Whether a line of GlState is of a texture or sampler of this binding's units.
+    bool owns(const std::string& line) const
+    {
+        for (int unit = firstUnit; unit < firstUnit + units; ++unit)
+            for (const char* const item :
+                 {"GL_TEXTURE_2D_ARRAY", "GL_TEXTURE_BINDING_2D_ARRAY", "GL_SAMPLER_BINDING"})
+                if (line.starts_with(item + ("[" + std::to_string(unit) + "]")))
+                    return true;
+        return false;
+    }
+};
+
+void report(const std::vector<std::string>& changes, const std::string& when)
+{
+    for (const std::string& change : changes)
+        std::printf("%s: %s\n", when.c_str(), change.c_str());
+    CHECK(changes.empty());
+}
+
+int integer(GLenum name)
+{
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+// The textures of the map lie on the units in order, and nothing else of the context has changed.
+void checkBound(const Fixture& fixture, const ProbeBinding& binding, const std::string& state)
+{
+    const tests::GlState before = tests::GlState::capture();
+    {
+        const auto bound = binding.bind(fixture.probe.map());
+        std::vector<std::string> others;
+        for (const std::string& line : tests::differences(before, tests::GlState::capture()))
+            if (!fixture.owns(line))
+                others.push_back(line);
+        report(others, state + ", bound");
+
+        const ReflectionMap& map = fixture.probe.map();
+        const unsigned int expected[] = {map.colourTexture, map.distanceTexture, map.hiddenColourTexture,
+                                         map.hiddenDistanceTexture};
+        const int active = integer(GL_ACTIVE_TEXTURE);
+        for (int unit = 0; unit < fixture.units; ++unit) {
+            glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + unit));
+            CHECK(expected[unit] != 0);
+            CHECK(integer(GL_TEXTURE_BINDING_2D_ARRAY) == static_cast<int>(expected[unit]));
+            CHECK(integer(GL_SAMPLER_BINDING) != 0);
+        }
+        glActiveTexture(static_cast<GLenum>(active));
+    }
+    report(tests::differences(before, tests::GlState::capture()), state + ", let go");
+    report(tests::takeErrors(), state + ", errors");
+}
+
+void checkUnderHostileStates(Lookup lookup, tests::HostileState& hostile)
+{
+    const Fixture fixture(lookup);
+    const auto check = [&](const std::vector<std::string>& chosen, const std::string& name) {
+        hostile.apply(chosen);
+        report(tests::changesBy([&] { const ProbeBinding made(fixture.program, firstUnit); }),
+               name + ", made");
+        const ProbeBinding binding(fixture.program, firstUnit);
+        checkBound(fixture, binding, name);
+        hostile.undo();
+    };
+    check({}, "calm");
+    for (const std::string& name : hostile.names())
+        check({name}, name);
+    for (std::uint32_t seed = 0; seed < 20; ++seed)
+        check(hostile.random(seed), "random states, seed " + std::to_string(seed));
+}
+
+} // namespace
+
+int main()
+{
+    const headless::Context context;
+    tests::HostileState hostile;
+    for (const Lookup lookup : {Lookup::infinite, Lookup::distance, Lookup::layered})
+        checkUnderHostileStates(lookup, hostile);
+    std::printf("%zu hostile states\n", hostile.names().size());
+    return 0;
+}

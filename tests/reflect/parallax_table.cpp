@@ -1,0 +1,130 @@
+// All that docs/results/look_ups.md says: every look-up in every scene and reflector against the tracer.
+//
+//     parallax_table docs/results/look_ups.md
+//
+// Takes minutes. Fails when a look-up is worse than `infinite` anywhere.
+#include "support/parallax.h"
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <utility>
+
+using namespace mirrorball;
+
+namespace {
+
+using tests::ParallaxErrors;
+using Words = std::vector<std::string>;
+
+struct Case
+{
+    const char* scene;
+    const char* reflector;
+    Words words; // of render's command line
+};
+
+Words joined(Words words, const Words& more)
+{
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+std::vector<Case> cases()
+{
+    const std::string bunny = "/usr/share/glmark2/models/bunny.obj";
+    const Words room = {"builtin:room"}, garden = {"builtin:garden"};
+    const Words house = {"/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc", "--at", "9.8,1.1,-1.9", "--light",
+                         "10.5,2.4,-1"};
+    const Words near = {"--eye", "8.8,1.4,-1"}, corner = {"--eye", "11.4,1.75,-0.7", "--fov", "65"};
+    std::vector<Case> all;
+    for (const auto& [name, scene] : {std::pair("room", room), std::pair("garden", garden)}) {
+        all.push_back({name, "sphere 0.25", joined(scene, {"--reflector", "sphere:0.25"})});
+        all.push_back({name, "sphere 0.5", joined(scene, {"--reflector", "sphere:0.5"})});
+        all.push_back({name, "sphere 1", joined(scene, {"--reflector", "sphere:1"})});
+        all.push_back({name, "teapot × 0.2", joined(scene, {"--scale", "0.2", "--reflector", "teapot"})});
+        all.push_back({name, "bunny", joined(scene, {"--reflector", bunny})});
+    }
+    const Words closer = joined(house, near);
+    all.push_back({"house", "sphere 0.25", joined(closer, {"--reflector", "sphere:0.25"})});
+    all.push_back({"house", "sphere 0.5", joined(closer, {"--reflector", "sphere:0.5"})});
+    all.push_back({"house", "sphere 1", joined(joined(house, corner), {"--reflector", "sphere:1"})});
+    all.push_back({"house", "teapot × 0.2", joined(closer, {"--scale", "0.2", "--reflector", "teapot"})});
+    all.push_back({"house", "bunny × 0.4", joined(closer, {"--scale", "0.4", "--reflector", bunny})});
+    for (Case& each : all)
+        each.words = joined(each.words, {"--pixels", "1280x720"});
+    return all;
+}
+
+std::string row(const std::string& what, const char* lookup, const ParallaxErrors& errors)
+{
+    char text[160];
+    std::snprintf(text, sizeof text, " | %s | %.3f° | %.3f° | %.1f° | %.2f %% | %.1f %% | %.1f dB | %.4f |\n",
+                  lookup, errors.mean, errors.p95, errors.max, errors.wrongPercent,
+                  errors.grazingWrongPercent, errors.psnr, errors.flip);
+    return "| " + what + text;
+}
+
+constexpr MapKind otherMaps[] = {MapKind::dualParaboloid, MapKind::cube, MapKind::octahedral};
+
+// The tables, and what was found to be worse than `infinite`.
+struct Tables
+{
+    std::string tennisBall, others, worse;
+};
+
+void judge(const Case& each, Tables& tables)
+{
+    const tests::ParallaxJudge judge(tests::renderOptions(each.words));
+    const bool isAimedAt = std::string(each.reflector) == "sphere 0.5" && std::string(each.scene) != "garden";
+    const std::string name = std::string(each.scene) + ", " + each.reflector;
+    ParallaxErrors infinite;
+    for (const tests::NamedLookup& lookup : tests::lookups) {
+        const ParallaxErrors errors = judge.judge(MapKind::tennisBall, lookup.lookup);
+        const bool isFirst = lookup.lookup == Lookup::infinite;
+        infinite = isFirst ? errors : infinite;
+        tables.tennisBall += row(isFirst ? name : "", lookup.name, errors);
+        if (!tests::neverWorse(errors, infinite))
+            tables.worse += "- " + name + ", `" + lookup.name + "`\n";
+        for (const MapKind map : otherMaps)
+            if (isAimedAt && (lookup.lookup == Lookup::distance || lookup.lookup == Lookup::layered))
+                tables.others += row(name + ", " + std::string(mapInfo(map).name), lookup.name,
+                                     judge.judge(map, lookup.lookup));
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: parallax_table OUT.md\n");
+        return 2;
+    }
+    Tables tables;
+    for (const Case& each : cases()) {
+        std::fprintf(stderr, "%s, %s\n", each.scene, each.reflector);
+        judge(each, tables);
+    }
+    const std::string head =
+        "| scene, reflector | look-up | mean | p95 | max | wrong | grazing wrong | PSNR | FLIP |\n"
+        "|---|---|---|---|---|---|---|---|---|\n";
+    std::ofstream file(argv[1]);
+    file << "# Look-ups against the tracer\n\nWritten by `parallax_table`; [reflection.md](../reflection.md) "
+            "says what "
+            "the columns mean. Pictures of 1280 × 720, maps of n = 256. In the room and the garden camera "
+            "and reflector "
+            "are where `render` puts them by default; in the house (`AC14-FZK-Haus.ifc`) with `--at "
+            "9.8,1.1,-1.9 "
+            "--light 10.5,2.4,-1 --eye 8.8,1.4,-1`, but for the sphere of radius 1, with `--eye "
+            "11.4,1.75,-0.7 --fov "
+            "65`.\n\n## Tennis-ball map\n\n"
+         << head << tables.tennisBall << "\nWorse than `infinite`, by any column but the largest angle: "
+         << (tables.worse.empty() ? "nowhere.\n" : "\n\n" + tables.worse) << "\n## Other maps\n\n"
+         << head << tables.others;
+    if (!file.flush()) {
+        std::fprintf(stderr, "'%s' cannot be written\n", argv[1]);
+        return 1;
+    }
+    return tables.worse.empty() ? 0 : 1;
+}
