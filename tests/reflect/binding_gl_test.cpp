@@ -6,6 +6,7 @@
 #include "support/hostile_state.h"
 #include "support/six_walls.h"
 
+#include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 #include <mirrorball/reflect/probe_binding.h>
 #include <mirrorball/reflect/reflection_material.h>
@@ -113,6 +114,22 @@ void checkUnderHostileStates(Lookup lookup, tests::HostileState& hostile)
         check(hostile.random(seed), "random states, seed " + std::to_string(seed));
 }
 
+// In which OpenGL forbids to change the program.
+void checkRefused(tests::HostileState& hostile)
+{
+    const Fixture fixture(Lookup::layered);
+    const ProbeBinding binding(fixture.program, firstUnit);
+    hostile.beginTransformFeedback();
+    report(tests::changesBy(
+               [&] { CHECK_THROWS(ProbeBinding(fixture.program, firstUnit), ErrorKind::hostBusy); }),
+           "transform feedback, made");
+    report(tests::changesBy([&] {
+               CHECK_THROWS(const auto bound = binding.bind(fixture.probe.map()), ErrorKind::hostBusy);
+           }),
+           "transform feedback, bound");
+    hostile.undo();
+}
+
 } // namespace
 
 int main()
@@ -121,6 +138,7 @@ int main()
     tests::HostileState hostile;
     for (const Lookup lookup : {Lookup::infinite, Lookup::distance, Lookup::layered})
         checkUnderHostileStates(lookup, hostile);
+    checkRefused(hostile);
     std::printf("%zu hostile states\n", hostile.names().size());
     return 0;
 }

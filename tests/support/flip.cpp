@@ -71,27 +71,31 @@ double colourError(const glm::dvec3& a, const glm::dvec3& b)
 using Plane = std::vector<double>;
 using Kernel = std::vector<double>; // of odd length
 
-// In x and then in y; beyond the border the picture goes on as it is there.
+// From -radius to length + radius: beyond the border the picture goes on as it is there.
+std::vector<std::size_t> places(int length, int radius)
+{
+    std::vector<std::size_t> result;
+    for (int place = -radius; place < length + radius; ++place)
+        result.push_back(static_cast<std::size_t>(std::clamp(place, 0, length - 1)));
+    return result;
+}
+
+// In x and then in y.
 Plane filtered(const glm::ivec2& size, const Plane& plane, const Kernel& inX, const Kernel& inY)
 {
-    const auto along = [&size](const Plane& from, const Kernel& kernel, const glm::ivec2& axis) {
-        const int radius = static_cast<int>(kernel.size() / 2);
-        Plane to;
-        to.reserve(from.size());
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) {
-                double sum = 0.0;
-                for (int k = -radius; k <= radius; ++k) {
-                    const int i = std::clamp(x + k * axis.x, 0, size.x - 1);
-                    const int j = std::clamp(y + k * axis.y, 0, size.y - 1);
-                    sum += kernel[static_cast<std::size_t>(k + radius)] *
-                           from[static_cast<std::size_t>(j * size.x + i)];
-                }
-                to.push_back(sum);
-            }
-        return to;
-    };
-    return along(along(plane, inX, {1, 0}), inY, {0, 1});
+    const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
+    const std::vector<std::size_t> columns = places(size.x, static_cast<int>(inX.size() / 2));
+    const std::vector<std::size_t> rows = places(size.y, static_cast<int>(inY.size() / 2));
+    Plane middle(plane.size()), result(plane.size());
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t k = 0; k < inX.size(); ++k)
+            for (std::size_t x = 0; x < width; ++x)
+                middle[y * width + x] += inX[k] * plane[y * width + columns[x + k]];
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t k = 0; k < inY.size(); ++k)
+            for (std::size_t x = 0; x < width; ++x)
+                result[y * width + x] += inY[k] * middle[rows[y + k] * width + x];
+    return result;
 }
 
 // exp(-x² / (2 deviation²)) times what `weight` makes of x / deviation, x in pixels.
