@@ -159,14 +159,14 @@ private:
 void Renderer::addMirror(const Mirror& mirror)
 {
     const mirrorball::MapKind map = mirror.source ? mirror.source->map : options_.map;
-    DrawnMirror drawn{
-        GlReflector(mirror.reflector, setup_.origin, options_.view, {.map = map, .lookup = options_.lookup}),
-        {},
-        {},
-        {.tint = mirror.tint,
-         .blend = mirror.blend,
-         .origin = setup_.origin,
-         .worldFromProxy = setup_.worldFromProxy}};
+    DrawnMirror drawn{GlReflector(mirror.reflector, setup_.origin, options_.view,
+                                  {.map = map, .lookup = options_.lookup, .detail = options_.detail}),
+                      {},
+                      {},
+                      {.tint = mirror.tint,
+                       .blend = mirror.blend,
+                       .origin = setup_.origin,
+                       .worldFromProxy = setup_.worldFromProxy}};
     if (mirror.source) {
         drawn.images.emplace(map, mirror.source->n, mirror.source->layers);
         drawn.images->setRotation(glm::dmat3(mirror.worldFromProbe));
@@ -178,6 +178,7 @@ void Renderer::addMirror(const Mirror& mirror)
                                   .captureOrigin = setup_.origin,
                                   .near = static_cast<float>(mirror.near),
                                   .far = static_cast<float>(options_.far),
+                                  .mipLevels = options_.detail != mirrorball::LevelOfDetail::first,
                                   .background = glm::vec4(setup_.scene.background, 1.0f),
                                   .method = options_.method,
                                   .epsilon = static_cast<float>(options_.epsilon),

@@ -68,6 +68,12 @@ CommandLine::CommandLine(CLI::App& app)
                        {"distance", Lookup::distance},
                        {"layered", Lookup::layered}},
                       "how a reflected ray finds its place in the map");
+    using mirrorball::LevelOfDetail;
+    addChoice<LevelOfDetail>(app, "--detail", options_.detail,
+                             {{"first", LevelOfDetail::first},
+                              {"isotropic", LevelOfDetail::isotropic},
+                              {"anisotropic", LevelOfDetail::anisotropic}},
+                             "the mip level that a mirroring pixel is filtered from");
     addOptionalVector(
         app, "--proxy-low", options_.proxyLow,
         "lower corner of the box, or of the ellipsoid's, that --lookup takes the surroundings for",

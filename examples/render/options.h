@@ -34,6 +34,7 @@ struct Options : examples::CaptureOptions
     int supersample = 1;        // k × k samples a pixel
     std::optional<double> near; // of the probes
     mirrorball::Lookup lookup = mirrorball::Lookup::infinite;
+    mirrorball::LevelOfDetail detail = mirrorball::LevelOfDetail::first;
     std::optional<glm::dvec3> proxyLow, proxyHigh; // corners of the proxy, before --offset
     examples::View view = examples::View::colour;
     std::string output;

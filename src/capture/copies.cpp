@@ -71,21 +71,32 @@ void bindBorrowed(unsigned int texture, unsigned int target, const MapSize& size
                     "use a format of floats or normalised numbers");
 }
 
+void FullScreenPass::prepare()
+{
+    if (!noAttributes_)
+        noAttributes_ = gl::VertexArray::create();
+    glBindVertexArray(noAttributes_.name());
+    for (GLenum plane = 0; plane < 3; ++plane)
+        glDisable(GL_CLIP_DISTANCE0 + plane);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void FullScreenPass::draw() const
+{
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 void Copies::makeShared()
 {
-    if (!noAttributes_) {
-        noAttributes_ = gl::VertexArray::create();
+    if (!nearest_) {
         nearest_ = gl::Sampler::create();
         glSamplerParameteri(nearest_.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glSamplerParameteri(nearest_.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glSamplerParameteri(nearest_.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glSamplerParameteri(nearest_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     }
-    glBindVertexArray(noAttributes_.name());
-    for (GLenum plane = 0; plane < 3; ++plane)
-        glDisable(GL_CLIP_DISTANCE0 + plane);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
+    pass_.prepare();
 }
 
 void Copies::reduce(const MapTextures& from, const MapTextures& to, const MapSize& size, int k)
@@ -108,7 +119,7 @@ void Copies::reduce(const MapTextures& from, const MapTextures& to, const MapSiz
     for (int layer = 0; layer < size.layers; ++layer) {
         glBindFramebuffer(GL_FRAMEBUFFER, to.layers[static_cast<std::size_t>(layer)].name());
         glUniform1i(location("layer"), layer);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+        pass_.draw();
     }
 }
 
@@ -130,7 +141,7 @@ void Copies::copySide(unsigned int texture, SideTarget target, const MapTextures
     glUniform1i(glGetUniformLocation(program.name(), "side"), 0);
     glViewport(0, 0, size.width, size.height);
     glBindFramebuffer(GL_FRAMEBUFFER, to.layers[static_cast<std::size_t>(layer)].name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    pass_.draw();
 }
 
 } // namespace mirrorball::capture

@@ -8,6 +8,18 @@
 
 namespace mirrorball::capture {
 
+// A triangle over the whole viewport, with shaders::copyVertex. Prepared inside a StateGuard that is
+// neutralised; depth tests are off then.
+class FullScreenPass
+{
+public:
+    void prepare();
+    void draw() const;
+
+private:
+    gl::VertexArray noAttributes_;
+};
+
 class Copies
 {
 public:
@@ -26,7 +38,7 @@ private:
     void makeShared();
 
     gl::Program reduce_, copy2d_, copyRectangle_;
-    gl::VertexArray noAttributes_;
+    FullScreenPass pass_;
     gl::Sampler nearest_;
 };
 

@@ -26,19 +26,6 @@ gl::Texture makeLayers(const MapSize& size, GLenum internalFormat, GLenum format
     return texture;
 }
 
-GLenum internalFormat(ColourFormat format)
-{
-    switch (format) {
-    case ColourFormat::rgba16f:
-        return GL_RGBA16F;
-    case ColourFormat::rgba32f:
-        return GL_RGBA32F;
-    case ColourFormat::rgba8:
-        return GL_RGBA8;
-    }
-    return GL_RGBA16F;
-}
-
 constexpr std::array<GLenum, 2> drawBuffers = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 
 void requireComplete(const MapSize& size)
@@ -77,6 +64,19 @@ void attach(MapTextures& textures, const MapSize& size, unsigned int colour, uns
 }
 
 } // namespace
+
+unsigned int internalFormat(ColourFormat format)
+{
+    switch (format) {
+    case ColourFormat::rgba16f:
+        return GL_RGBA16F;
+    case ColourFormat::rgba32f:
+        return GL_RGBA32F;
+    case ColourFormat::rgba8:
+        return GL_RGBA8;
+    }
+    return GL_RGBA16F;
+}
 
 MapSize mapSize(MapKind map, int n)
 {

@@ -27,6 +27,8 @@ struct MapTextures
     gl::Framebuffer allLayers;           // layered
 };
 
+unsigned int internalFormat(ColourFormat format);
+
 // A depth texture with all layers, and textures that share it (none for nullptr). Bind nothing of the host's:
 // call inside a StateGuard.
 gl::Texture makeDepth(const MapSize& size);

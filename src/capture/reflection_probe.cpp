@@ -3,7 +3,7 @@
 #include "capture/capture_program.h"
 #include "capture/copies.h"
 #include "capture/error_law.h"
-#include "capture/layer_check.h"
+#include "capture/filtered_map.h"
 #include "capture/map_textures.h"
 #include "capture/pose.h"
 #include "capture/views.h"
@@ -72,9 +72,9 @@ struct ReflectionProbe::Implementation
     capture::MapTextures hiddenFront, hiddenBack; // the same for the second layer of depth, if there is one
     capture::MapTextures samples, hiddenSamples;  // what is drawn into with several samples a texel
     capture::Copies copies;
-    int peelUnit = -1;      // the texture unit through which it sees the first
-    bool peeling = false;   // drawing the second layer
-    bool allAtOnce = false; // asked for, and the driver can
+    capture::FilteredMap filtered;
+    int peelUnit = -1;    // the texture unit through which it sees the first
+    bool peeling = false; // drawing the second layer
     ReflectionMap map;
     bool capturing = false;
     CaptureReport report;
@@ -94,6 +94,7 @@ struct ReflectionProbe::Implementation
     void requireReady() const;
     CaptureReport fill(const std::function<void()>& drawLayerOfDepth);
     void finish();
+    void filter();
     void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     bool fitsAtOnce(const CaptureMesh& mesh) const;
@@ -142,7 +143,12 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
     guard.neutralise();
     glActiveTexture(GL_TEXTURE0);
     makeTextures();
-    allAtOnce = desc.layers == LayerOrder::allAtOnce && (size.layers == 1 || capture::drawsIntoLayers());
+    if (desc.mipLevels)
+        filtered =
+            capture::FilteredMap(desc.map, desc.n, capture::internalFormat(desc.colour),
+                                 desc.method == CaptureMethod::perVertex ? capture::PastSeams::unknown
+                                                                         : capture::PastSeams::captured);
+    filter();
     publish();
 }
 
@@ -375,7 +381,7 @@ void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh
 // Where varyings leave no room for all layers in one draw, each view has its own.
 bool ReflectionProbe::Implementation::fitsAtOnce(const CaptureMesh& mesh) const
 {
-    return allAtOnce && mesh.program->implementation().fits(variantOf(mesh, -1));
+    return desc.layers == LayerOrder::allAtOnce && mesh.program->implementation().fits(variantOf(mesh, -1));
 }
 
 void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw)
@@ -424,6 +430,15 @@ void ReflectionProbe::Implementation::publish()
            pose.worldFromProbe,
            hiddenFront.colour.name(),
            hiddenFront.distance.name()};
+    if (filtered)
+        filtered.describeIn(map);
+}
+
+// Inside a StateGuard(0, 1) that is neutralised.
+void ReflectionProbe::Implementation::filter()
+{
+    if (filtered)
+        filtered.update(isBorrowed() ? desc.colourTexture : front.colour.name());
 }
 
 ReflectionProbe::ReflectionProbe(const Desc& desc) : implementation_(std::make_unique<Implementation>(desc))
@@ -510,9 +525,10 @@ CaptureReport ReflectionProbe::Implementation::fill(const std::function<void()>&
 
 void ReflectionProbe::Implementation::finish()
 {
-    if (isSupersampled() || isBorrowed()) {
-        const gl::StateGuard guard(0, 2);
-        guard.neutralise(); // the callback may have changed anything
+    std::optional<gl::StateGuard> guard;
+    if (isSupersampled() || isBorrowed() || filtered) {
+        guard.emplace(0, 2);
+        guard->neutralise(); // the callback may have changed anything
         if (isSupersampled())
             copies.reduce(samples, back, size, desc.supersample);
         if (isSupersampled() && desc.layersOfDepth == 2)
@@ -523,6 +539,7 @@ void ReflectionProbe::Implementation::finish()
     if (!isBorrowed())
         std::swap(front, back);
     std::swap(hiddenFront, hiddenBack);
+    filter();
     publish();
 }
 
@@ -538,7 +555,7 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
     self.place();
     self.compile(meshes);
     return self.fill([&] {
-        if (self.allAtOnce && !self.peeling)
+        if (self.desc.layers == LayerOrder::allAtOnce && !self.peeling)
             self.drawAllAtOnce(meshes, draw);
         else
             self.drawOneAtATime(meshes, draw);
@@ -551,7 +568,7 @@ CaptureReport ReflectionProbe::capture(const DrawScene& drawScene)
     self.requireReady();
     self.place();
     return self.fill([&] {
-        const bool together = self.allAtOnce && !self.peeling;
+        const bool together = self.desc.layers == LayerOrder::allAtOnce && !self.peeling;
         for (int id = together ? -1 : 0; id < (together ? 0 : viewCount()); ++id) {
             CaptureView view(self, id);
             drawScene(view);
@@ -575,6 +592,7 @@ void ReflectionProbe::takeOver(std::span<const unsigned int, 6> sides, SideTarge
         self.copies.reduce(self.back, self.front, self.size, 1);
     else
         std::swap(self.front, self.back);
+    self.filter();
     self.publish();
     self.map.distanceTexture = self.map.hiddenColourTexture = self.map.hiddenDistanceTexture = 0;
 }

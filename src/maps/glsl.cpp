@@ -2,6 +2,7 @@
 
 #include <mirrorball/error.h>
 #include <mirrorball/maps/visit.h>
+#include <mirrorball/math/dual.h>
 #include <mirrorball/math/glsl_scalar.h>
 
 #include <cctype>
@@ -198,6 +199,24 @@ std::string coordinateFromDirectionFunction(const FunctionPrinter& print)
                               "    return vec3(clamp(uv, 0.0, 1.0), float(component));\n");
 }
 
+// The chain rule through squareFromDirection, recorded instead of computed.
+template <class Map>
+std::string squareDerivativesFunction(const FunctionPrinter& print)
+{
+    const auto variable = [](const std::string& axis) {
+        return BasicDual<Recorded>(realVariable("direction." + axis), realVariable("alongU." + axis),
+                                   realVariable("alongV." + axis));
+    };
+    const GlslIndex component(glslVariable(GlslType::index, "component"));
+    const Vec3<BasicDual<Recorded>> d{variable("x"), variable("y"), variable("z")};
+    const Vec2<BasicDual<Recorded>> uv = Map::squareFromDirection(component, d);
+    return print.function(
+        "vec4", "squareDerivatives",
+        print.parameter("int", "component") + ", " + print.parameter("vec3", "direction") + ", " +
+            print.parameter("vec3", "alongU") + ", " + print.parameter("vec3", "alongV"),
+        print.returned("vec4", {uv.x.alongU.tree, uv.y.alongU.tree, uv.x.alongV.tree, uv.y.alongV.tree}));
+}
+
 // GLSL reserves names with two underscores in a row and those that begin with gl_.
 void checkPrefix(const std::string& prefix)
 {
@@ -241,6 +260,13 @@ std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix,
                print.parameter("int", prefix + "components") + " = " + std::to_string(Map::info.components) +
                ";\n\n" + neededHelpers(print, Map::front, functions) + functions;
     });
+}
+
+std::string mapDerivativesGlsl(MapKind map, GlslVersion version, const std::string& prefix)
+{
+    checkPrefix(prefix);
+    const FunctionPrinter print(version, prefix, GlslInputs::regular);
+    return visitMap(map, [&](auto formula) { return squareDerivativesFunction<decltype(formula)>(print); });
 }
 
 } // namespace mirrorball

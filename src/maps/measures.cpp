@@ -97,6 +97,17 @@ Jacobian jacobian(MapKind map, int component, const glm::dvec2& uv)
     });
 }
 
+glm::dvec2 squareDerivative(MapKind map, int component, const glm::dvec3& direction, const glm::dvec3& change)
+{
+    assert(component >= 0 && component < mapInfo(map).components);
+    const auto variable = [&](int axis) { return Dual(direction[axis], change[axis], 0.0); };
+    return visitMap(map, [&](auto formula) {
+        const Vec2<Dual> uv =
+            formula.squareFromDirection(component, Vec3<Dual>{variable(0), variable(1), variable(2)});
+        return glm::dvec2(uv.x.alongU, uv.y.alongU);
+    });
+}
+
 double solidAngleDensity(const Jacobian& jacobian)
 {
     return glm::length(glm::cross(jacobian.alongU, jacobian.alongV));

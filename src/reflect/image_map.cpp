@@ -1,5 +1,6 @@
 #include <mirrorball/reflect/image_map.h>
 
+#include "capture/filtered_map.h"
 #include "capture/map_textures.h"
 #include "gl/context.h"
 #include "gl/state_guard.h"
@@ -35,6 +36,10 @@ ImageMap::ImageMap(MapKind map, int n, std::span<const float> layers)
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     map_ = {map, n, colour_.name(), 0, glm::dmat4(1.0)};
+    capture::FilteredMap filtered(map, n, GL_RGBA16F, capture::PastSeams::unknown);
+    filtered.update(colour_.name());
+    filtered.describeIn(map_);
+    filtered_ = std::move(filtered).takeTexture();
 }
 
 } // namespace mirrorball

@@ -10,6 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mirrorball {
@@ -31,14 +32,28 @@ glm::mat4 proxyFromWorld(const glm::dmat4& worldFromProxy, const glm::dvec3& ori
     return inverse;
 }
 
-gl::Sampler makeSampler(GLenum filter)
+gl::Sampler makeSampler(GLenum minified, GLenum magnified)
 {
     gl::Sampler sampler = gl::Sampler::create();
-    glSamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));
-    glSamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(filter));
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minified));
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(magnified));
     glSamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glSamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     return sampler;
+}
+
+float mostAnisotropy()
+{
+    float most = 1.0f;
+    if (epoxy_gl_version() >= 46 || epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    return most;
+}
+
+// Nearest texels are the map's own.
+bool isFiltered(const ReflectionMap& map, const MaterialSettings& settings)
+{
+    return map.filteredColourTexture != 0 && settings.filtering == Filtering::linear;
 }
 
 } // namespace
@@ -48,10 +63,12 @@ struct ProbeBinding::Implementation
     unsigned int program;
     int firstUnit, units;
     std::string prefix;
-    gl::Sampler linear, nearest;
+    gl::Sampler filtered, linear, nearest;
+    float mostAnisotropy; // 1: not asked for, or the driver has none
 
     int location(const char* name) const { return glGetUniformLocation(program, (prefix + name).c_str()); }
     void setUniforms(const ReflectionMap& map, const MaterialSettings& settings) const;
+    unsigned int colourSampler(const ReflectionMap& map, const MaterialSettings& settings) const;
 };
 
 struct ProbeBinding::Bound::Saved
@@ -75,6 +92,8 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
         throw Error(ErrorKind::badArgument, asked, "program " + std::to_string(program) + " is not linked",
                     "link it first");
     const bool isLayered = glGetUniformLocation(program, (prefix + "hiddenDistanceMap").c_str()) >= 0;
+    // llvmpipe filters anisotropically where the shader itself gives the level, too.
+    const bool isAnisotropic = glGetUniformLocation(program, (prefix + "widest").c_str()) >= 0;
     const int units = isLayered ? mostUnits : 2;
     const int limit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     if (firstUnit < 0 || firstUnit + units > limit)
@@ -83,8 +102,10 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
                         std::to_string(firstUnit + units - 1) + " do not lie within the driver's " +
                         std::to_string(limit),
                     "name another first unit");
-    implementation_ = std::make_unique<Implementation>(Implementation{
-        program, firstUnit, units, std::move(prefix), makeSampler(GL_LINEAR), makeSampler(GL_NEAREST)});
+    implementation_ = std::make_unique<Implementation>(
+        Implementation{program, firstUnit, units, std::move(prefix),
+                       makeSampler(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR), makeSampler(GL_LINEAR, GL_LINEAR),
+                       makeSampler(GL_NEAREST, GL_NEAREST), isAnisotropic ? mostAnisotropy() : 1.0f});
 }
 
 ProbeBinding::~ProbeBinding() = default;
@@ -106,6 +127,13 @@ void ProbeBinding::Implementation::setUniforms(const ReflectionMap& map,
     glUniformMatrix3fv(location("mapFromWorld"), 1, GL_FALSE, glm::value_ptr(mapFromWorld));
     const glm::vec3 centre(glm::dvec3(map.worldFromProbe[3]) - settings.origin);
     glUniform3fv(location("centreInWorld"), 1, glm::value_ptr(centre));
+    const glm::vec4 textureFromSquare =
+        isFiltered(map, settings) ? map.filteredFromSquare : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f);
+    glUniform4fv(location("textureFromSquare"), 1, glm::value_ptr(textureFromSquare));
+    const MapInfo& info = mapInfo(map.map);
+    glUniform2f(location("texels"), static_cast<float>(info.widthInN * map.n),
+                static_cast<float>(info.heightInN * map.n));
+    glUniform1f(location("widest"), 1.0f);
     glUniformMatrix4fv(location("worldFromView"), 1, GL_FALSE, glm::value_ptr(settings.worldFromView));
     const glm::mat4 proxy = proxyFromWorld(settings.worldFromProxy, settings.origin);
     glUniformMatrix4fv(location("proxyFromWorld"), 1, GL_FALSE, glm::value_ptr(proxy));
@@ -114,6 +142,17 @@ void ProbeBinding::Implementation::setUniforms(const ReflectionMap& map,
     glUniform1f(location("blend"), settings.blend);
     if (static_cast<unsigned int>(current) != program)
         glUseProgram(static_cast<GLuint>(current));
+}
+
+unsigned int ProbeBinding::Implementation::colourSampler(const ReflectionMap& map,
+                                                         const MaterialSettings& settings) const
+{
+    if (!isFiltered(map, settings))
+        return (settings.filtering == Filtering::linear ? linear : nearest).name();
+    if (mostAnisotropy > 1.0f)
+        glSamplerParameterf(filtered.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                            std::clamp(settings.anisotropy, 1.0f, mostAnisotropy));
+    return filtered.name();
 }
 
 ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialSettings& settings) const
@@ -127,12 +166,12 @@ ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialS
     saved->firstUnit = self.firstUnit;
     saved->units = self.units;
     const GLint active = gl::integer(GL_ACTIVE_TEXTURE);
-    const unsigned int textures[mostUnits] = {map.colourTexture, map.distanceTexture, map.hiddenColourTexture,
-                                              map.hiddenDistanceTexture};
-    const gl::Sampler& colourSampler = settings.filtering == Filtering::linear ? self.linear : self.nearest;
+    const unsigned int textures[mostUnits] = {
+        isFiltered(map, settings) ? map.filteredColourTexture : map.colourTexture, map.distanceTexture,
+        map.hiddenColourTexture, map.hiddenDistanceTexture};
     // Around what is hidden there is nothing: filtering would mix it in.
-    const unsigned int samplers[mostUnits] = {colourSampler.name(), self.nearest.name(), self.nearest.name(),
-                                              self.nearest.name()};
+    const unsigned int samplers[mostUnits] = {self.colourSampler(map, settings), self.nearest.name(),
+                                              self.nearest.name(), self.nearest.name()};
     for (int unit = 0; unit < self.units; ++unit) {
         const auto index = static_cast<GLuint>(self.firstUnit + unit);
         glActiveTexture(GL_TEXTURE0 + index);

@@ -43,12 +43,15 @@ std::string_view shownGlsl(const ReflectionMaterial& material)
     return reflect::shaders::lookupInfinite;
 }
 
-// A march looks many directions up; none of them needs the answers for those that are not regular.
-std::string marchMapGlsl(const ReflectionMaterial& material)
+std::string mapsGlsl(const ReflectionMaterial& material)
 {
-    if (material.lookup != Lookup::distance && material.lookup != Lookup::layered)
-        return {};
-    return mapGlsl(material.map, material.version, material.prefix + "regular_", GlslInputs::regular);
+    // Of the many directions that are looked up, none needs the answers for those that are not regular.
+    std::string text =
+        mapGlsl(material.map, material.version, material.prefix) +
+        mapGlsl(material.map, material.version, material.prefix + "regular_", GlslInputs::regular);
+    if (material.detail != LevelOfDetail::first)
+        text += mapDerivativesGlsl(material.map, material.version, material.prefix);
+    return text;
 }
 
 } // namespace
@@ -77,11 +80,13 @@ std::string reflectionGlsl(const ReflectionMaterial& material)
 {
     std::string text(reflect::shaders::uniforms);
     text += shownGlsl(material);
+    text += reflect::shaders::sampling;
     text += reflect::shaders::material;
+    text = replaced(text, "MIRRORBALL_DETAIL", std::to_string(static_cast<int>(material.detail)));
+    text = replaced(text, "MIRRORBALL_PARALLAX", material.lookup == Lookup::infinite ? "0" : "1");
     text = replaced(text, "MIRRORBALL_LAYERED", material.lookup == Lookup::layered ? "1" : "0");
     text = replaced(text, "MIRRORBALL_BOX", material.lookup == Lookup::box ? "1" : "0");
-    return mapGlsl(material.map, material.version, material.prefix) + marchMapGlsl(material) +
-           replaced(text, "mirrorball_", material.prefix);
+    return mapsGlsl(material) + replaced(text, "mirrorball_", material.prefix);
 }
 
 } // namespace mirrorball

@@ -118,6 +118,7 @@ std::unique_ptr<Contender> makeLibraryContender(const LibraryMethod& method, mir
     desc.colour =
         view == View::colour ? mirrorball::ColourFormat::rgba16f : mirrorball::ColourFormat::rgba32f;
     desc.background = glm::vec4(stage.scene().background, 1.0f);
+    desc.mipLevels = false; // which no rival has
     desc.method = method.method;
     desc.layers = method.layers;
     return std::make_unique<LibraryContender>(desc, stage, cullBackFaces, view);

@@ -94,3 +94,22 @@ vec3 mirrorball_coordinateFromDirection(vec3 direction)
     vec2 uv = mirrorball_squareFromDirection(component, direction);
     return vec3(clamp(uv, 0.0, 1.0), float(component));
 }
+
+vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+{
+    bool alongX = component == 0 || component == 1;
+    float side = component == 1 || component == 3 || component == 5 ? -1.0 : 1.0;
+    float t = -side;
+    bool alongY = component == 2 || component == 3;
+    float t2 = side * (alongX ? direction.x : alongY ? direction.y : direction.z);
+    bool t3 = t2 < 0.015625;
+    float divisor = t3 ? 0.015625 : t2;
+    float t4 = (alongX ? t * direction.z : alongY ? direction.x : side * direction.x) / divisor;
+    float divisorU = t3 ? 0.0 : side * (alongX ? alongU.x : alongY ? alongU.y : alongU.z);
+    float t5 = (alongX ? -direction.y : alongY ? side * direction.z : -direction.y) / divisor;
+    float divisorV = t3 ? 0.0 : side * (alongX ? alongV.x : alongY ? alongV.y : alongV.z);
+    return vec4(0.5 * (((alongX ? t * alongU.z : alongY ? alongU.x : side * alongU.x) - t4 * divisorU) / divisor),
+                0.5 * (((alongX ? -alongU.y : alongY ? side * alongU.z : -alongU.y) - t5 * divisorU) / divisor),
+                0.5 * (((alongX ? t * alongV.z : alongY ? alongV.x : side * alongV.x) - t4 * divisorV) / divisor),
+                0.5 * (((alongX ? -alongV.y : alongY ? side * alongV.z : -alongV.y) - t5 * divisorV) / divisor));
+}

@@ -81,3 +81,27 @@ vec3 mirrorball_coordinateFromDirection(vec3 direction)
     vec2 uv = mirrorball_squareFromDirection(component, direction);
     return vec3(clamp(uv, 0.0, 1.0), float(component));
 }
+
+vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+{
+    float t = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    float radius = sqrt(t);
+    bool t2 = component == 0;
+    float t3 = radius + (t2 ? -direction.z : direction.z);
+    float t4 = 0.0009765625 * radius;
+    bool t5 = t3 < t4;
+    float divisor = t5 ? t4 : t3;
+    float t6 = direction.x / divisor;
+    float t7 = sqrt(t);
+    bool t8 = t7 > 0.0;
+    float t9 = t8 ? 0.5 / (t8 ? t7 : 1.0) : 0.0;
+    float radiusU = t9 * (alongU.x * direction.x + direction.x * alongU.x + (alongU.y * direction.y + direction.y * alongU.y) + (alongU.z * direction.z + direction.z * alongU.z));
+    float divisorU = t5 ? 0.0009765625 * radiusU : radiusU + (t2 ? -alongU.z : alongU.z);
+    float t10 = direction.y / divisor;
+    float radiusV = t9 * (alongV.x * direction.x + direction.x * alongV.x + (alongV.y * direction.y + direction.y * alongV.y) + (alongV.z * direction.z + direction.z * alongV.z));
+    float divisorV = t5 ? 0.0009765625 * radiusV : radiusV + (t2 ? -alongV.z : alongV.z);
+    return vec4(0.5 * ((alongU.x - t6 * divisorU) / divisor),
+                0.5 * ((alongU.y - t10 * divisorU) / divisor),
+                0.5 * ((alongV.x - t6 * divisorV) / divisor),
+                0.5 * ((alongV.y - t10 * divisorV) / divisor));
+}

@@ -134,3 +134,26 @@ vec3 mirrorball_coordinateFromDirection(vec3 direction)
     vec2 uv = mirrorball_squareFromDirection(component, direction);
     return vec3(clamp(uv, 0.0, 1.0), float(component));
 }
+
+vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+{
+    float side = component == 1 || component == 3 || component == 5 ? -1.0 : 1.0;
+    bool alongX = component == 0 || component == 1;
+    bool alongY = component == 2 || component == 3;
+    float t = side * (alongX ? direction.x : alongY ? direction.y : direction.z);
+    bool t2 = t < 0.015625;
+    float divisor = t2 ? 0.015625 : t;
+    float t3 = -side;
+    float t4 = alongX ? t3 * direction.z : alongY ? direction.x : side * direction.x;
+    float divisorU = t2 ? 0.0 : side * (alongX ? alongU.x : alongY ? alongU.y : alongU.z);
+    float t5 = divisor * divisor + t4 * t4;
+    float t6 = 0.31830987 / (t5 > 0.0 ? t5 : 1.0);
+    float t7 = alongX ? -direction.y : alongY ? side * direction.z : -direction.y;
+    float t8 = divisor * divisor + t7 * t7;
+    float t9 = 0.31830987 / (t8 > 0.0 ? t8 : 1.0);
+    float divisorV = t2 ? 0.0 : side * (alongX ? alongV.x : alongY ? alongV.y : alongV.z);
+    return vec4(2.0 * ((divisor * (alongX ? t3 * alongU.z : alongY ? alongU.x : side * alongU.x) - t4 * divisorU) * t6),
+                2.0 * ((divisor * (alongX ? -alongU.y : alongY ? side * alongU.z : -alongU.y) - t7 * divisorU) * t9),
+                2.0 * ((divisor * (alongX ? t3 * alongV.z : alongY ? alongV.x : side * alongV.x) - t4 * divisorV) * t6),
+                2.0 * ((divisor * (alongX ? -alongV.y : alongY ? side * alongV.z : -alongV.y) - t7 * divisorV) * t9));
+}

@@ -115,3 +115,19 @@ vec3 mirrorball_coordinateFromDirection(vec3 direction)
     vec2 uv = mirrorball_squareFromDirection(component, direction);
     return vec3(clamp(uv, 0.0, 1.0), float(component));
 }
+
+vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+{
+    float t = -direction.z * -direction.z + direction.x * direction.x;
+    float t2 = 0.31830987 / (t > 0.0 ? t : 1.0);
+    float longitudeU = (-direction.z * alongU.x - direction.x * -alongU.z) * t2;
+    float t3 = sqrt(direction.x * direction.x + direction.z * direction.z);
+    bool t4 = t3 > 0.0;
+    float t5 = t4 ? 0.5 / (t4 ? t3 : 1.0) : 0.0;
+    float t6 = t3 * t3 + direction.y * direction.y;
+    float t7 = 0.31830987 / (t6 > 0.0 ? t6 : 1.0);
+    float latitudeU = (t3 * alongU.y - direction.y * (t5 * (alongU.x * direction.x + direction.x * alongU.x + (alongU.z * direction.z + direction.z * alongU.z)))) * t7;
+    float longitudeV = (-direction.z * alongV.x - direction.x * -alongV.z) * t2;
+    float latitudeV = (t3 * alongV.y - direction.y * (t5 * (alongV.x * direction.x + direction.x * alongV.x + (alongV.z * direction.z + direction.z * alongV.z)))) * t7;
+    return vec4(0.5 * longitudeU, -latitudeU, 0.5 * longitudeV, -latitudeV);
+}

@@ -91,3 +91,30 @@ vec3 mirrorball_coordinateFromDirection(vec3 direction)
     vec2 uv = mirrorball_squareFromDirection(component, direction);
     return vec3(clamp(uv, 0.0, 1.0), float(component));
 }
+
+vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+{
+    bool below = direction.z < 0.0;
+    bool t = direction.x < 0.0;
+    bool t2 = direction.y < 0.0;
+    bool t3 = direction.z < 0.0;
+    float sum = (t ? -direction.x : direction.x) + (t2 ? -direction.y : direction.y) + (t3 ? -direction.z : direction.z);
+    float b = direction.y / sum;
+    bool t4 = b < 0.0;
+    float t5 = direction.y / sum;
+    float sumU = (t ? -alongU.x : alongU.x) + (t2 ? -alongU.y : alongU.y) + (t3 ? -alongU.z : alongU.z);
+    float bU = (alongU.y - t5 * sumU) / sum;
+    float t6 = direction.x < 0.0 ? -1.0 : 1.0;
+    float t7 = direction.x / sum;
+    float aU = (alongU.x - t7 * sumU) / sum;
+    float a = direction.x / sum;
+    bool t8 = a < 0.0;
+    float t9 = direction.y < 0.0 ? -1.0 : 1.0;
+    float sumV = (t ? -alongV.x : alongV.x) + (t2 ? -alongV.y : alongV.y) + (t3 ? -alongV.z : alongV.z);
+    float bV = (alongV.y - t5 * sumV) / sum;
+    float aV = (alongV.x - t7 * sumV) / sum;
+    return vec4(0.5 * (below ? -(t4 ? -bU : bU) * t6 : aU),
+                0.5 * (below ? -(t8 ? -aU : aU) * t9 : bU),
+                0.5 * (below ? -(t4 ? -bV : bV) * t6 : aV),
+                0.5 * (below ? -(t8 ? -aV : aV) * t9 : bV));
+}

@@ -88,3 +88,68 @@ vec3 mirrorball_coordinateFromDirection(vec3 direction)
     vec2 uv = mirrorball_squareFromDirection(component, direction);
     return vec3(clamp(uv, 0.0, 1.0), float(component));
 }
+
+vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+{
+    bool behind = direction.z < 0.0;
+    float t = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    float radius = sqrt(t);
+    float t2 = 2.0 * radius;
+    float t3 = (radius - direction.z) / t2;
+    float t4 = sqrt(t3);
+    bool t5 = t4 > 0.0;
+    float t6 = t5 ? 0.5 / (t5 ? t4 : 1.0) : 0.0;
+    float t7 = sqrt(t);
+    bool t8 = t7 > 0.0;
+    float t9 = t8 ? 0.5 / (t8 ? t7 : 1.0) : 0.0;
+    float radiusU = t9 * (alongU.x * direction.x + direction.x * alongU.x + (alongU.y * direction.y + direction.y * alongU.y) + (alongU.z * direction.z + direction.z * alongU.z));
+    float t10 = 2.0 * radius;
+    bool t11 = direction.z < 0.0;
+    float ahead = t11 ? 0.0 : direction.z;
+    float t12 = radius + ahead;
+    float t13 = sqrt(t10 * t12);
+    float t14 = 1.0 / t13;
+    bool t15 = t13 > 0.0;
+    float t16 = t15 ? 0.5 / (t15 ? t13 : 1.0) : 0.0;
+    float aheadU = t11 ? 0.0 : alongU.z;
+    float factorU = behind ? t6 * ((radiusU - alongU.z - t3 * (2.0 * radiusU)) / t2) : -(t14 * (t16 * (2.0 * radiusU * t12 + t10 * (radiusU + aheadU)))) / t13;
+    bool t17 = direction.x < 0.0;
+    float t18 = t17 ? -direction.x : direction.x;
+    bool t19 = direction.y < 0.0;
+    float t20 = t19 ? -direction.y : direction.y;
+    bool t21 = t18 < t20;
+    float size = t21 ? t20 : t18;
+    bool none = size <= 0.0;
+    float safeSize = none ? 1.0 : size;
+    float t22 = direction.x / safeSize;
+    float across = none ? 1.0 : t22;
+    float up = direction.y / safeSize;
+    float t23 = across * across + up * up;
+    float range = sqrt(t23);
+    float t24 = across / range;
+    float t25 = behind ? t24 : direction.x;
+    float factor = behind ? t4 : t14;
+    float sizeU = t21 ? (t19 ? -alongU.y : alongU.y) : t17 ? -alongU.x : alongU.x;
+    float safeSizeU = none ? 0.0 : sizeU;
+    float acrossU = none ? 0.0 : (alongU.x - t22 * safeSizeU) / safeSize;
+    float t26 = sqrt(t23);
+    bool t27 = t26 > 0.0;
+    float t28 = t27 ? 0.5 / (t27 ? t26 : 1.0) : 0.0;
+    float t29 = direction.y / safeSize;
+    float upU = (alongU.y - t29 * safeSizeU) / safeSize;
+    float rangeU = t28 * (acrossU * across + across * acrossU + (upU * up + up * upU));
+    float t30 = up / range;
+    float t31 = behind ? t30 : direction.y;
+    float radiusV = t9 * (alongV.x * direction.x + direction.x * alongV.x + (alongV.y * direction.y + direction.y * alongV.y) + (alongV.z * direction.z + direction.z * alongV.z));
+    float aheadV = t11 ? 0.0 : alongV.z;
+    float factorV = behind ? t6 * ((radiusV - alongV.z - t3 * (2.0 * radiusV)) / t2) : -(t14 * (t16 * (2.0 * radiusV * t12 + t10 * (radiusV + aheadV)))) / t13;
+    float sizeV = t21 ? (t19 ? -alongV.y : alongV.y) : t17 ? -alongV.x : alongV.x;
+    float safeSizeV = none ? 0.0 : sizeV;
+    float acrossV = none ? 0.0 : (alongV.x - t22 * safeSizeV) / safeSize;
+    float upV = (alongV.y - t29 * safeSizeV) / safeSize;
+    float rangeV = t28 * (acrossV * across + across * acrossV + (upV * up + up * upV));
+    return vec4(0.5 * (factorU * t25 + factor * (behind ? (acrossU - t24 * rangeU) / range : alongU.x)),
+                0.5 * (factorU * t31 + factor * (behind ? (upU - t30 * rangeU) / range : alongU.y)),
+                0.5 * (factorV * t25 + factor * (behind ? (acrossV - t24 * rangeV) / range : alongV.x)),
+                0.5 * (factorV * t31 + factor * (behind ? (upV - t30 * rangeV) / range : alongV.y)));
+}

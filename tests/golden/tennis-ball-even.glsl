@@ -130,3 +130,32 @@ vec3 mirrorball_coordinateFromDirection(vec3 direction)
     vec2 uv = mirrorball_squareFromDirection(component, direction);
     return vec3(clamp(uv, 0.0, 1.0), float(component));
 }
+
+vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+{
+    bool first = component == 0;
+    float yU = first ? alongU.y : alongU.x;
+    float y = first ? direction.y : direction.x;
+    float t = 1.4142135 * y;
+    float x = first ? direction.x : direction.y;
+    float z = first ? direction.z : -direction.z;
+    float t2 = sqrt(x * x + y * y + z * z);
+    float t3 = t / t2;
+    bool t4 = t2 > 0.0;
+    float t5 = t4 ? 0.5 / (t4 ? t2 : 1.0) : 0.0;
+    float xU = first ? alongU.x : alongU.y;
+    float zU = first ? alongU.z : -alongU.z;
+    float tU = (1.4142135 * yU - t3 * (t5 * (xU * x + x * xU + (yU * y + y * yU) + (zU * z + z * zU)))) / t2;
+    float t6 = t / t2;
+    float t7 = 0.958 + 0.042 * (t6 * t6);
+    float t8 = z * z + x * x;
+    float t9 = 0.31830987 / (t8 > 0.0 ? t8 : 1.0);
+    float yV = first ? alongV.y : alongV.x;
+    float xV = first ? alongV.x : alongV.y;
+    float zV = first ? alongV.z : -alongV.z;
+    float tV = (1.4142135 * yV - t3 * (t5 * (xV * x + x * xV + (yV * y + y * yV) + (zV * z + z * zV)))) / t2;
+    return vec4(0.5 * (tU * t7 + t6 * (0.042 * (tU * t6 + t6 * tU))),
+                0.6666667 * ((z * xU - x * zU) * t9),
+                0.5 * (tV * t7 + t6 * (0.042 * (tV * t6 + t6 * tV))),
+                0.6666667 * ((z * xV - x * zV) * t9));
+}

@@ -128,3 +128,29 @@ vec3 mirrorball_coordinateFromDirection(vec3 direction)
     vec2 uv = mirrorball_squareFromDirection(component, direction);
     return vec3(clamp(uv, 0.0, 1.0), float(component));
 }
+
+vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+{
+    bool first = component == 0;
+    float x = first ? direction.x : direction.y;
+    float z = first ? direction.z : -direction.z;
+    float t = sqrt(x * x + z * z);
+    float yU = first ? alongU.y : alongU.x;
+    float y = first ? direction.y : direction.x;
+    bool t2 = t > 0.0;
+    float t3 = t2 ? 0.5 / (t2 ? t : 1.0) : 0.0;
+    float xU = first ? alongU.x : alongU.y;
+    float zU = first ? alongU.z : -alongU.z;
+    float t4 = t * t + y * y;
+    float t5 = 0.31830987 / (t4 > 0.0 ? t4 : 1.0);
+    float latitudeU = (t * yU - y * (t3 * (xU * x + x * xU + (zU * z + z * zU)))) * t5;
+    float t6 = z * z + x * x;
+    float t7 = 0.31830987 / (t6 > 0.0 ? t6 : 1.0);
+    float longitudeU = (z * xU - x * zU) * t7;
+    float yV = first ? alongV.y : alongV.x;
+    float xV = first ? alongV.x : alongV.y;
+    float zV = first ? alongV.z : -alongV.z;
+    float latitudeV = (t * yV - y * (t3 * (xV * x + x * xV + (zV * z + z * zV)))) * t5;
+    float longitudeV = (z * xV - x * zV) * t7;
+    return vec4(2.0 * latitudeU, 0.6666667 * longitudeU, 2.0 * latitudeV, 0.6666667 * longitudeV);
+}

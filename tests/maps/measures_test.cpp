@@ -19,6 +19,19 @@ glm::dvec3 difference(MapKind map, int component, const glm::dvec2& uv, const gl
            mirrorball::directionFromSquare(map, component, uv - step);
 }
 
+// (u, v) change by what the direction was changed for, whatever its length, and not with the length. Where the direction
+// belongs to another place, as past the sphere map's rim, there is no inverse.
+void checkInverse(MapKind map, int component, const mirrorball::Jacobian& j)
+{
+    constexpr double bound = 1e-9; // some roundings, times the longest derivative there and back
+    const auto change = [&](const glm::dvec3& along) {
+        return mirrorball::squareDerivative(map, component, 3.0 * j.direction, 3.0 * along);
+    };
+    CHECK_NEAR(glm::length(change(j.alongU) - glm::dvec2(1, 0)), 0, bound);
+    CHECK_NEAR(glm::length(change(j.alongV) - glm::dvec2(0, 1)), 0, bound);
+    CHECK_NEAR(glm::length(change(j.direction)), 0, bound);
+}
+
 // Central differences with step h err by h² / 6 times the third derivative, which is largest for the sphere
 // map: with s = sqrt(1 - r²), that of 2 a s along the radius is 2 (3 r² / s^5 + 3 / s^3), 400 at r = 0.9,
 // times 2³ for u = a / 2; and by rounding, 4e-16 / h.
@@ -41,6 +54,7 @@ void checkJacobian(MapKind map, std::mt19937& random)
         CHECK(j.direction == mirrorball::directionFromSquare(map, component, uv));
         CHECK_NEAR(glm::length(difference(map, component, uv, {h, 0}) / (2 * h) - j.alongU), 0, bound);
         CHECK_NEAR(glm::length(difference(map, component, uv, {0, h}) / (2 * h) - j.alongV), 0, bound);
+        checkInverse(map, component, j);
     }
 }
 

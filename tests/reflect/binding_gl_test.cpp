@@ -81,8 +81,8 @@ void checkBound(const Fixture& fixture, const ProbeBinding& binding, const std::
         report(others, state + ", bound");
 
         const ReflectionMap& map = fixture.probe.map();
-        const unsigned int expected[] = {map.colourTexture, map.distanceTexture, map.hiddenColourTexture,
-                                         map.hiddenDistanceTexture};
+        const unsigned int expected[] = {map.filteredColourTexture, map.distanceTexture,
+                                         map.hiddenColourTexture, map.hiddenDistanceTexture};
         const int active = integer(GL_ACTIVE_TEXTURE);
         for (int unit = 0; unit < fixture.units; ++unit) {
             glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + unit));

@@ -16,6 +16,8 @@ namespace {
 constexpr std::array lookups = {Lookup::infinite, Lookup::sphere, Lookup::box, Lookup::distance,
                                 Lookup::layered};
 
+constexpr std::array details = {LevelOfDetail::first, LevelOfDetail::isotropic, LevelOfDetail::anisotropic};
+
 const char* const fragment = R"(
 in vec3 position;
 in vec3 normal;
@@ -49,15 +51,17 @@ void testSnippets(MapKind map)
     std::string files;
     for (const GlslVersion version :
          {GlslVersion::glsl330, GlslVersion::glsl400, GlslVersion::glsl450, GlslVersion::es300})
-        for (const Lookup lookup : lookups) {
-            const std::string file = SCRATCH_FOLDER "/" + std::to_string(static_cast<int>(version)) + "_" +
-                                     std::to_string(static_cast<int>(lookup)) + ".frag";
-            std::ofstream(file) << glslVersionLine(version)
-                                << reflectionGlsl({map, lookup, version, "first_"})
-                                << reflectionGlsl({MapKind::octahedral, lookup, version, "second_"})
-                                << fragment;
-            files += "'" + file + "' ";
-        }
+        for (const Lookup lookup : lookups)
+            for (const LevelOfDetail detail : details) {
+                const std::string file = SCRATCH_FOLDER "/" + std::to_string(static_cast<int>(version)) +
+                                         "_" + std::to_string(static_cast<int>(lookup)) + "_" +
+                                         std::to_string(static_cast<int>(detail)) + ".frag";
+                std::ofstream(file) << glslVersionLine(version)
+                                    << reflectionGlsl({map, lookup, version, "first_", detail})
+                                    << reflectionGlsl({MapKind::octahedral, lookup, version, "second_"})
+                                    << fragment;
+                files += "'" + file + "' ";
+            }
     const std::string output = complaints(files);
     if (!output.empty())
         std::printf("%s", output.c_str());

@@ -56,6 +56,9 @@ public:
         // at the end of a capture. 0: the probe makes its own; `colour` is then the format.
         unsigned int colourTexture = 0;
         unsigned int distanceTexture = 0;
+        // Mip levels and guard texels for LevelOfDetail and for filtering across borders, in a texture of
+        // their own, some 3/2 of the colours; docs/reflection.md has the cost.
+        bool mipLevels = true;
         glm::vec4 background{0.0f, 0.0f, 0.0f, 1.0f};
         CaptureMethod method = CaptureMethod::automatic;
         float epsilon =

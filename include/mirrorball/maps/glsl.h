@@ -31,4 +31,10 @@ MIRRORBALL_EXPORT std::string mapGlsl(MapKind map, GlslVersion version,
                                       const std::string& prefix = "mirrorball_",
                                       GlslInputs inputs = GlslInputs::any);
 
+// How (u, v) changes with a regular direction, along two changes of it: the derivatives of the same formula.
+//     vec4 <prefix>squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
+//                                           xy: those of (u, v) along the first change, zw: along the second
+MIRRORBALL_EXPORT std::string mapDerivativesGlsl(MapKind map, GlslVersion version,
+                                                 const std::string& prefix = "mirrorball_");
+
 } // namespace mirrorball

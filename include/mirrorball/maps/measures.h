@@ -15,6 +15,11 @@ struct Jacobian
 };
 MIRRORBALL_EXPORT Jacobian jacobian(MapKind map, int component, const glm::dvec2& uv);
 
+// How (u, v) changes with the direction: the derivative of squareFromDirection along a change of the
+// direction, which need not have unit length. The other way round, and with the radial part of the change lost.
+MIRRORBALL_EXPORT glm::dvec2 squareDerivative(MapKind map, int component, const glm::dvec3& direction,
+                                              const glm::dvec3& change);
+
 // Steradians per unit of area of (u, v).
 MIRRORBALL_EXPORT double solidAngleDensity(const Jacobian& jacobian);
 

@@ -129,11 +129,26 @@ struct GlslScalar
         return {glslOperation(GlslType::condition, P::primary, text, {x.tree})};
     }
 
-    friend S operator-(const S& a) { return of(P::unary, "-$0", {a.tree}); }
-    friend S operator+(const S& a, const S& b) { return of(P::sum, "$0 + $1", {a.tree, b.tree}); }
-    friend S operator-(const S& a, const S& b) { return of(P::sum, "$0 - $1", {a.tree, b.tree}); }
-    friend S operator*(const S& a, const S& b) { return of(P::product, "$0 * $1", {a.tree, b.tree}); }
-    friend S operator/(const S& a, const S& b) { return of(P::product, "$0 / $1", {a.tree, b.tree}); }
+    // The number 0, such as the derivative of a constant: what vanishes with it is not printed.
+    bool isZero() const { return tree->operands.empty() && tree->text == "0.0"; }
+
+    friend S operator-(const S& a) { return a.isZero() ? a : of(P::unary, "-$0", {a.tree}); }
+    friend S operator+(const S& a, const S& b)
+    {
+        return a.isZero() ? b : b.isZero() ? a : of(P::sum, "$0 + $1", {a.tree, b.tree});
+    }
+    friend S operator-(const S& a, const S& b)
+    {
+        return a.isZero() ? -b : b.isZero() ? a : of(P::sum, "$0 - $1", {a.tree, b.tree});
+    }
+    friend S operator*(const S& a, const S& b)
+    {
+        return a.isZero() ? a : b.isZero() ? b : of(P::product, "$0 * $1", {a.tree, b.tree});
+    }
+    friend S operator/(const S& a, const S& b)
+    {
+        return a.isZero() ? a : of(P::product, "$0 / $1", {a.tree, b.tree});
+    }
 
     friend GlslCondition operator<(const S& a, const S& b) { return relation("$0 < $1", a, b); }
     friend GlslCondition operator<=(const S& a, const S& b) { return relation("$0 <= $1", a, b); }
@@ -143,9 +158,14 @@ struct GlslScalar
     friend GlslCondition isInfinite(const S& x) { return test("@isInfinite($0)", x); }
     friend S select(const GlslCondition& condition, const S& yes, const S& no)
     {
+        if (yes.isZero() && no.isZero())
+            return yes;
         return of(P::selection, "$0 ? $1 : $2", {condition.tree, yes.tree, no.tree});
     }
-    friend S named(const S& value, const char* name) { return S(glslNamed(value.tree, name)); }
+    friend S named(const S& value, const char* name)
+    {
+        return value.isZero() ? value : S(glslNamed(value.tree, name));
+    }
 
     friend S abs(const S& x) { return call("abs($0)", x); }
     friend S sqrt(const S& x) { return call("sqrt($0)", x); }

@@ -14,7 +14,8 @@ class MIRRORBALL_EXPORT ImageMap
 public:
     // `layers` holds linear RGBA, four floats a texel, layer after layer, each of widthInN * n by heightInN *
     // n texels with texture row 0 (v = 0) first: the first scanline of an image file. Copied into an RGBA16F
-    // texture. Throws Error badArgument when the number of floats does not fit the map, or n the driver.
+    // texture, and into a filtered one. Throws Error badArgument when the number of floats does not fit
+    // the map, or n the driver.
     ImageMap(MapKind map, int n, std::span<const float> layers);
 
     const ReflectionMap& map() const { return map_; }
@@ -23,7 +24,7 @@ public:
     void setRotation(const glm::dmat3& worldFromMap) { map_.worldFromProbe = glm::dmat4(worldFromMap); }
 
 private:
-    gl::Texture colour_;
+    gl::Texture colour_, filtered_;
     ReflectionMap map_;
 };
 

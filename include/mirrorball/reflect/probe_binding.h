@@ -21,7 +21,10 @@
 
 namespace mirrorball {
 
-enum class Filtering { linear, nearest };
+enum class Filtering {
+    linear, // within and between mip levels, across borders: where the map is filtered
+    nearest // the texels of the map itself
+};
 
 struct MaterialSettings
 {
@@ -32,6 +35,7 @@ struct MaterialSettings
     glm::mat4 worldFromView{1.0f};  // for inputs in view space: the inverse of the view matrix
     glm::dvec3 origin{0.0};         // world positions given to the shader are relative to this point
     Filtering filtering = Filtering::linear;
+    float anisotropy = 8.0f; // the longest pixels that LevelOfDetail::anisotropic follows, width to length
     // For Lookup::sphere and Lookup::box: an affine transformation of the unit sphere, or of the cube
     // [-1, 1]³, onto what stands for the surroundings. Without an inverse everything is infinitely far.
     glm::dmat4 worldFromProxy{0.0};

@@ -4,6 +4,7 @@
 #include <mirrorball/maps/maps.h>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 
 namespace mirrorball {
 
@@ -18,6 +19,10 @@ struct ReflectionMap
     // The second layer of depth, what the first hides; 0 if there is none.
     unsigned int hiddenColourTexture = 0;
     unsigned int hiddenDistanceTexture = 0;
+    // The same colours with mip levels, and round each layer guard texels, which hold what is seen in their
+    // own directions: filtering crosses no border. 0 if there is none.
+    unsigned int filteredColourTexture = 0;
+    glm::vec4 filteredFromSquare{1.0f, 1.0f, 0.0f, 0.0f}; // its coordinates: xy times (u, v) plus zw
 };
 
 } // namespace mirrorball

@@ -1,14 +1,3 @@
-vec4 mirrorball_lookUp(vec3 positionInWorld, vec3 directionInWorld)
-{
-    vec4 shown = mirrorball_shown(positionInWorld, directionInWorld);
-    vec3 coordinate = mirrorball_coordinateFromDirection(shown.xyz);
-#if MIRRORBALL_LAYERED
-    if (shown.w > 0.5)
-        return textureLod(mirrorball_hiddenColourMap, coordinate, 0.0);
-#endif
-    return textureLod(mirrorball_colourMap, coordinate, 0.0);
-}
-
 vec4 mirrorball_reflection(vec3 positionInWorld, vec3 normalInWorld, vec3 eyeInWorld)
 {
     return mirrorball_lookUp(positionInWorld, mirrorball_reflected(normalInWorld, eyeInWorld - positionInWorld));
