@@ -34,7 +34,8 @@ packages_to_build='g++ cmake ninja-build ccache pkgconf libglm-dev libepoxy-dev 
 packages_with_models='glmark2-data assimp-testmodels'
 
 # What the tests need beyond these.
-packages_to_test='clang clang-format libclang-rt-14-dev libmpfr-dev glslang-tools libglew-dev binutils xvfb xauth'
+packages_to_test='clang clang-format libclang-rt-14-dev libmpfr-dev glslang-tools libglew-dev binutils xvfb xauth
+    mesa-vulkan-drivers'
 
 # The launcher of the compiler, where there is one.
 launcher_option() {

@@ -91,6 +91,13 @@ double angleToEdge(const glm::dvec3& direction, const glm::dvec3& a, const glm::
 
 } // namespace
 
+double angleToEdges(const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b,
+                    const glm::dvec3& c)
+{
+    return std::min(
+        {angleToEdge(direction, a, b), angleToEdge(direction, b, c), angleToEdge(direction, c, a)});
+}
+
 glm::dvec4 sampleImage(const Image& image, const glm::dvec2& textureCoordinate)
 {
     // Texel centres lie at halves. A coordinate that is not finite reads the first texel.
@@ -197,8 +204,7 @@ struct ReferenceGeometry::Embree
                                   weights.z * glm::dvec3(normals[k]);
         hit.normal = glm::normalize(glm::length(normal) > 0.0 ? normal : planeNormal);
         hit.colour = glm::vec3(surfaceColour(placed, found.hit.primID, weights));
-        hit.edgeAngle = std::min({angleToEdge(unitDirection, a, b), angleToEdge(unitDirection, b, c),
-                                  angleToEdge(unitDirection, c, a)});
+        hit.edgeAngle = angleToEdges(unitDirection, a, b, c);
         return hit;
     }
 };

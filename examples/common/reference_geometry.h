@@ -54,6 +54,10 @@ private:
     std::unique_ptr<Embree> embree_;
 };
 
+// In radians between a unit direction and the nearest edge of a triangle, both as seen from the origin.
+double angleToEdges(const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b,
+                    const glm::dvec3& c);
+
 // Linear RGB and alpha of an image: bilinear on decoded texels, repeating.
 glm::dvec4 sampleImage(const Image& image, const glm::dvec2& textureCoordinate);
 

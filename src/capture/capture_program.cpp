@@ -190,15 +190,15 @@ public:
         // The geometry stage reads varyings by name.
         for (const Varying& varying : host_.varyings)
             if (carries())
-                changes.withoutLayout.push_back(varying.vertexName);
+                changes.withoutLayout.push_back(varying.block.empty() ? varying.vertexName : varying.block);
         return host_.vertex.versionLine() + host_.vertex.body(changes) + "#line 1 1\n" +
                std::string(shaders::vertexMain);
     }
 
     std::string geometry() const
     {
-        std::string text =
-            host_.vertex.versionLine() + "#extension GL_ARB_gpu_shader5 : enable\n" + defines_ + map_;
+        std::string text = host_.vertex.versionLine() + "#extension GL_ARB_gpu_shader5 : enable\n" +
+                           arraysOfArrays() + defines_ + map_;
         if (isExact())
             text += std::string(shaders::coverCommon) + std::string(coverShader(variant_.map)) +
                     std::string(shaders::trianglePlane) + std::string(shaders::geometryExact);
@@ -209,13 +209,14 @@ public:
 
     std::string tessellationControl() const
     {
-        return "#version 400 core\n" + defines_ + std::string(shaders::tessellationControl) +
-               host_.fragment.skeleton(declarationMark) + controlVaryings(host_.varyings);
+        return "#version 400 core\n" + arraysOfArrays() + defines_ +
+               std::string(shaders::tessellationControl) + host_.fragment.skeleton(declarationMark) +
+               controlVaryings(host_.varyings);
     }
 
     std::string tessellationEvaluation() const
     {
-        return "#version 400 core\n" + defines_ + map_ + project() +
+        return "#version 400 core\n" + arraysOfArrays() + defines_ + map_ + project() +
                std::string(shaders::tessellationEvaluation) + host_.fragment.skeleton(declarationMark) +
                evaluationVaryings(host_.varyings);
     }
@@ -232,7 +233,7 @@ public:
         changes.mark = carries() ? declarationMark : "";
         for (const Varying& varying : host_.varyings)
             if (carries())
-                changes.globals.push_back(varying.name);
+                changes.globals.push_back(varying.statement());
         const auto substitute = [&](const std::string& type, const std::string& from, const std::string& to) {
             changes.prelude += type + " " + prefix + to + ";\n";
             changes.identifiers.push_back({from, prefix + to});
@@ -253,6 +254,9 @@ public:
     }
 
 private:
+    // An array reaches the stage after the vertex shader's as an array of them.
+    static std::string arraysOfArrays() { return "#extension GL_ARB_arrays_of_arrays : enable\n"; }
+
     // The lines of the library's text count as those of source string 1.
     std::string ours() const { return "#line 1 1\n" + defines_; }
 

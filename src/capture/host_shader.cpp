@@ -1,9 +1,12 @@
 #include "capture/host_shader.h"
 
+#include "capture/glsl_words.h"
+
 #include <mirrorball/error.h>
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 namespace mirrorball::capture {
 
@@ -12,11 +15,6 @@ namespace {
 bool startsIdentifier(char c)
 {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-bool continuesIdentifier(char c)
-{
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 // The offset after a comment that begins at `at`, or `at` if none does.
@@ -43,37 +41,9 @@ std::size_t afterDirective(const std::string& text, std::size_t at)
     return std::min(at, text.size());
 }
 
-constexpr std::string_view interpolations[] = {"flat", "noperspective", "smooth"};
-constexpr std::string_view auxiliaries[] = {"centroid", "sample"};
-constexpr std::string_view otherQualifiers[] = {"invariant", "precise", "highp", "mediump",
-                                                "lowp",      "const",   "patch"};
 // What a statement with a braced part that goes on to a semicolon begins with: structs and interface blocks.
 constexpr std::string_view blockHeads[] = {"struct", "in",       "out",    "uniform",       "layout", "const",
                                            "buffer", "centroid", "smooth", "noperspective", "flat"};
-
-template <class List>
-bool contains(const List& list, std::string_view word)
-{
-    return std::find(std::begin(list), std::end(list), word) != std::end(list);
-}
-
-bool isQualifier(std::string_view word)
-{
-    return word == "in" || word == "out" || contains(interpolations, word) || contains(auxiliaries, word) ||
-           contains(otherQualifiers, word);
-}
-
-// The word after the # of a preprocessor line.
-std::string_view directiveName(std::string_view line)
-{
-    const std::size_t begin = line.find_first_not_of(" \t", 1);
-    if (begin == std::string_view::npos)
-        return {};
-    std::size_t end = begin;
-    while (end < line.size() && continuesIdentifier(line[end]))
-        ++end;
-    return line.substr(begin, end - begin);
-}
 
 } // namespace
 
@@ -188,7 +158,9 @@ void HostShader::readDeclarations()
         if (depth != 0)
             continue;
         if (token == ";") {
-            readStatement(first, index);
+            for (Declaration& declaration : statement(first, index))
+                if (!declaration.storage.empty() || declaration.type.empty())
+                    declarations_.push_back(std::move(declaration));
             first = index + 1;
         } else if (token == "}") {
             // A function's body ends a statement; a block's or struct's goes on to its semicolon.
@@ -198,7 +170,54 @@ void HostShader::readDeclarations()
     }
 }
 
-void HostShader::readStatement(std::size_t firstToken, std::size_t lastToken)
+std::size_t HostShader::closingParenthesis(std::size_t token) const
+{
+    int depth = 0;
+    for (; token < tokens_.size(); ++token) {
+        depth += text(tokens_[token]) == "(" ? 1 : 0;
+        if (text(tokens_[token]) == ")" && --depth == 0)
+            break;
+    }
+    return token;
+}
+
+// [4], [N][2]; "" where there is none.
+std::string HostShader::arraySuffix(std::size_t& at, std::size_t lastToken) const
+{
+    std::string suffix;
+    int depth = 0;
+    while (at < lastToken && (depth > 0 || text(tokens_[at]) == "[")) {
+        depth += text(tokens_[at]) == "[" ? 1 : text(tokens_[at]) == "]" ? -1 : 0;
+        suffix += text(tokens_[at++]);
+    }
+    return suffix;
+}
+
+// `at` is the opening brace.
+void HostShader::readMembers(Declaration& block, std::size_t at, std::size_t lastToken) const
+{
+    block.isBlock = true;
+    block.name = block.type;
+    std::size_t first = ++at;
+    for (; at < lastToken && text(tokens_[at]) != "}"; ++at) {
+        if (text(tokens_[at]) != ";")
+            continue;
+        for (Declaration& member : statement(first, at)) {
+            if (member.interpolation.empty())
+                member.interpolation = block.interpolation;
+            block.members.push_back(std::move(member));
+        }
+        first = at + 1;
+    }
+    if (++at < lastToken)
+        block.instance = text(tokens_[at++]);
+    block.arraySuffix = arraySuffix(at, lastToken);
+    block.hasConditions = std::any_of(directives_.begin(), directives_.end(), [&](const Span& span) {
+        return span.begin > block.begin && span.begin < block.end;
+    });
+}
+
+std::vector<Declaration> HostShader::statement(std::size_t firstToken, std::size_t lastToken) const
 {
     Declaration declaration;
     declaration.begin = tokens_[firstToken].begin;
@@ -228,141 +247,40 @@ void HostShader::readStatement(std::size_t firstToken, std::size_t lastToken)
             break;
         }
     }
-    if (at >= lastToken && !declaration.name.empty())
-        declarations_.push_back(declaration);
-    if (declaration.storage.empty() || at >= lastToken)
-        return;
+    if (at >= lastToken)
+        return declaration.name.empty() ? std::vector<Declaration>() : std::vector{declaration};
     declaration.type = text(tokens_[at++]);
     if (at < lastToken && text(tokens_[at]) == "{") {
-        declaration.isBlock = true;
-        declaration.name = declaration.type;
-        declarations_.push_back(declaration);
-        return;
+        readMembers(declaration, at, lastToken);
+        return {declaration};
     }
-    std::string typeSuffix;
-    const auto readSuffix = [&] {
-        std::string suffix;
-        int depth = 0;
-        while (at < lastToken && (depth > 0 || text(tokens_[at]) == "[")) {
-            depth += text(tokens_[at]) == "[" ? 1 : text(tokens_[at]) == "]" ? -1 : 0;
-            suffix += text(tokens_[at++]);
-        }
-        return suffix;
-    };
-    typeSuffix = readSuffix();
+    std::vector<Declaration> all;
+    const std::string typeSuffix = arraySuffix(at, lastToken);
     while (at < lastToken) {
         declaration.name = text(tokens_[at++]);
-        declaration.arraySuffix = readSuffix() + typeSuffix;
-        declarations_.push_back(declaration);
+        declaration.arraySuffix = arraySuffix(at, lastToken) + typeSuffix;
+        all.push_back(declaration);
         while (at < lastToken && text(tokens_[at]) != ",") // an initialiser of a uniform
             ++at;
         ++at;
     }
+    return all;
 }
 
-std::string HostShader::lineDirective(std::size_t at) const
+std::optional<int> HostShader::constant(std::string_view name) const
 {
-    const auto lines = std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    return "#line " + std::to_string(lines + 1) + " 0\n";
-}
-
-std::size_t HostShader::closingParenthesis(std::size_t token) const
-{
-    int depth = 0;
-    for (; token < tokens_.size(); ++token) {
-        depth += text(tokens_[token]) == "(" ? 1 : 0;
-        if (text(tokens_[token]) == ")" && --depth == 0)
-            break;
-    }
-    return token;
-}
-
-// Several names may share a statement; this is the first of them.
-const Declaration* HostShader::declarationAround(const Token& token) const
-{
-    const auto found = std::find_if(declarations_.begin(), declarations_.end(), [&](const Declaration& d) {
-        return token.begin >= d.begin && token.end <= d.end;
-    });
-    return found == declarations_.end() ? nullptr : &*found;
-}
-
-bool HostShader::allNamed(const Declaration& statement, const std::vector<std::string>& names) const
-{
-    return std::all_of(declarations_.begin(), declarations_.end(), [&](const Declaration& d) {
-        return d.begin != statement.begin || contains(names, d.name);
-    });
-}
-
-std::string HostShader::marksAt(std::size_t end, const std::string& mark) const
-{
-    std::string marks;
-    for (std::size_t index = 0; index < declarations_.size() && !mark.empty(); ++index)
-        if (declarations_[index].end == end)
-            marks += "\n#define " + mark + std::to_string(index);
-    return marks;
-}
-
-std::string HostShader::body(const Changes& changes) const
-{
-    std::string result = lineDirective(bodyBegin_) + text_.substr(bodyBegin_, preludeAt_ - bodyBegin_);
-    if (!changes.prelude.empty())
-        result += changes.prelude + lineDirective(preludeAt_);
-    std::size_t copied = preludeAt_;
-    const auto replace = [&](std::size_t begin, std::size_t end, const std::string& with) {
-        result.append(text_, copied, begin - copied);
-        result += with;
-        copied = end;
-    };
-    for (std::size_t index = 0; index < tokens_.size(); ++index) {
-        const Token& token = tokens_[index];
-        const std::string_view word = text(token);
-        const Declaration* const statement = declarationAround(token);
-        const bool isGlobal = statement != nullptr && allNamed(*statement, changes.globals);
-        const bool isBare = isGlobal || (statement != nullptr && allNamed(*statement, changes.withoutLayout));
-        const auto found = std::find_if(changes.identifiers.begin(), changes.identifiers.end(),
-                                        [&](const Replacement& candidate) { return candidate.from == word; });
-        if (statement != nullptr && allNamed(*statement, changes.removed)) {
-            while (tokens_[index].end < statement->end)
-                ++index;
-            // Line ends within the statement stay, so that the lines after it keep their numbers.
-            replace(token.begin, statement->end,
-                    std::string(static_cast<std::size_t>(std::count(
-                                    text_.begin() + static_cast<std::ptrdiff_t>(token.begin),
-                                    text_.begin() + static_cast<std::ptrdiff_t>(statement->end), '\n')),
-                                '\n'));
-        } else if (isBare && word == "layout") {
-            index = closingParenthesis(index);
-            replace(token.begin, tokens_[index].end, "");
-        } else if (isGlobal && isQualifier(word)) {
-            replace(token.begin, token.end, "");
-        } else if (token.isIdentifier && found != changes.identifiers.end()) {
-            replace(token.begin, token.end, found->to);
-        } else if (const std::string marks = word == ";" ? marksAt(token.end, changes.mark) : "";
-                   !marks.empty()) {
-            replace(token.begin, token.end, ";" + marks + "\n" + lineDirective(token.end));
-        }
-    }
-    result.append(text_, copied, text_.size() - copied);
-    return result + "\n";
-}
-
-std::string HostShader::skeleton(const std::string& mark) const
-{
-    std::string result;
-    std::size_t next = 0; // declaration
-    const auto marksBefore = [&](std::size_t at) {
-        for (; next < declarations_.size() && declarations_[next].end <= at; ++next)
-            result += "#define " + mark + std::to_string(next) + "\n";
-    };
     for (const Span& span : directives_) {
-        marksBefore(span.begin);
-        const std::string_view line = std::string_view(text_).substr(span.begin, span.end - span.begin);
-        const std::string_view name = directiveName(line);
-        if (name != "extension" && name != "line" && name != "pragma" && name != "version")
-            result.append(line).append("\n");
+        std::istringstream words(text_.substr(span.begin, span.end - span.begin));
+        std::string directive, defined;
+        int value = 0;
+        if (words >> directive >> defined >> value && directive == "#define" && defined == name)
+            return value;
     }
-    marksBefore(text_.size());
-    return result;
+    for (std::size_t at = 0; at + 4 < tokens_.size(); ++at)
+        if (text(tokens_[at]) == "const" && text(tokens_[at + 1]) == "int" && text(tokens_[at + 2]) == name &&
+            text(tokens_[at + 3]) == "=")
+            return std::atoi(std::string(text(tokens_[at + 4])).c_str());
+    return std::nullopt;
 }
 
 } // namespace mirrorball::capture

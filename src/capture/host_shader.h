@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,15 +14,19 @@ namespace mirrorball::capture {
 // One name declared at global scope with a storage qualifier.
 struct Declaration
 {
-    std::string storage;       // "in", "out" or "uniform"
-    std::string interpolation; // "flat", "noperspective", "smooth" or ""
-    std::string auxiliary;     // "centroid", "sample" or ""
-    std::string type;          // "vec3"; "" for layout(early_fragment_tests) in
-    std::string name;          // "normal"; for an interface block the block's name
-    std::string arraySuffix;   // "[4]" or ""
-    std::string location;      // N of layout(location = N), as written; "" for none
-    bool isBlock = false;
+    std::string storage;            // "in", "out" or "uniform"
+    std::string interpolation;      // "flat", "noperspective", "smooth" or ""
+    std::string auxiliary;          // "centroid", "sample" or ""
+    std::string type;               // "vec3"; "" for layout(early_fragment_tests) in
+    std::string name;               // "normal"; for an interface block the block's name
+    std::string arraySuffix;        // "[4]" or ""
+    std::string location;           // N of layout(location = N), as written; "" for none
     std::size_t begin = 0, end = 0; // of the whole statement in the text, the semicolon included
+    // Of an interface block, whose type and name are the block's.
+    bool isBlock = false;
+    bool hasConditions = false; // preprocessor lines between its members
+    std::vector<Declaration> members;
+    std::string instance; // "" for none; arraySuffix is the instance's
 };
 
 class HostShader
@@ -36,6 +41,8 @@ public:
     const std::string& versionLine() const { return versionLine_; } // "#version 330 core\n"
     const std::vector<Declaration>& declarations() const { return declarations_; }
     bool mentions(std::string_view identifier) const;
+    // N of `#define name N` or `const int name = N`.
+    std::optional<int> constant(std::string_view name) const;
     std::string nameBeginningWith(std::string_view prefix) const; // the first such identifier, or ""
 
     struct Replacement
@@ -46,8 +53,10 @@ public:
     // What is changed in the text; names are those of declarations.
     struct Changes
     {
-        std::vector<Replacement> identifiers;   // whole identifiers
-        std::vector<std::string> globals;       // lose their qualifiers and become plain global variables
+        std::vector<Replacement> identifiers; // whole identifiers
+        // Lose their qualifiers and become plain global variables; a block with an instance name becomes a
+        // structure of that name, and one without loses its braces.
+        std::vector<std::string> globals;
         std::vector<std::string> withoutLayout; // lose layout(…) only
         std::vector<std::string> removed;       // the whole statement
         std::string prelude; // goes in before the first declaration, after all #extension lines
@@ -75,12 +84,16 @@ private:
     void readVersion();
     void readTokens();
     void readDeclarations();
-    void readStatement(std::size_t firstToken, std::size_t lastToken);
+    // One for each name of a statement, or one for layout(early_fragment_tests) in.
+    std::vector<Declaration> statement(std::size_t firstToken, std::size_t lastToken) const;
+    void readMembers(Declaration& block, std::size_t at, std::size_t lastToken) const;
+    std::string arraySuffix(std::size_t& at, std::size_t lastToken) const;
     std::string_view text(const Token& token) const;
     std::string lineDirective(std::size_t at) const; // names the host's line number at this offset
     std::string marksAt(std::size_t end, const std::string& mark) const;
     const Declaration* declarationAround(const Token& token) const;
     std::size_t closingParenthesis(std::size_t token) const;
+    std::string asGlobal(const Declaration& block, std::size_t token) const;
     bool allNamed(const Declaration& statement, const std::vector<std::string>& names) const;
 
     std::string text_;

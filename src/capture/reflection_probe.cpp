@@ -4,6 +4,7 @@
 #include "capture/copies.h"
 #include "capture/error_law.h"
 #include "capture/filtered_map.h"
+#include "capture/layer_check.h"
 #include "capture/map_textures.h"
 #include "capture/pose.h"
 #include "capture/views.h"
@@ -73,8 +74,9 @@ struct ReflectionProbe::Implementation
     capture::MapTextures samples, hiddenSamples;  // what is drawn into with several samples a texel
     capture::Copies copies;
     capture::FilteredMap filtered;
-    int peelUnit = -1;    // the texture unit through which it sees the first
-    bool peeling = false; // drawing the second layer
+    int peelUnit = -1;      // the texture unit through which it sees the first
+    bool peeling = false;   // drawing the second layer
+    bool allAtOnce = false; // asked for, and the driver can
     ReflectionMap map;
     bool capturing = false;
     CaptureReport report;
@@ -143,6 +145,7 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
     guard.neutralise();
     glActiveTexture(GL_TEXTURE0);
     makeTextures();
+    allAtOnce = desc.layers == LayerOrder::allAtOnce && (size.layers == 1 || capture::drawsIntoLayers());
     if (desc.mipLevels)
         filtered =
             capture::FilteredMap(desc.map, desc.n, capture::internalFormat(desc.colour),
@@ -381,7 +384,7 @@ void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh
 // Where varyings leave no room for all layers in one draw, each view has its own.
 bool ReflectionProbe::Implementation::fitsAtOnce(const CaptureMesh& mesh) const
 {
-    return desc.layers == LayerOrder::allAtOnce && mesh.program->implementation().fits(variantOf(mesh, -1));
+    return allAtOnce && mesh.program->implementation().fits(variantOf(mesh, -1));
 }
 
 void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw)
@@ -555,7 +558,7 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
     self.place();
     self.compile(meshes);
     return self.fill([&] {
-        if (self.desc.layers == LayerOrder::allAtOnce && !self.peeling)
+        if (self.allAtOnce && !self.peeling)
             self.drawAllAtOnce(meshes, draw);
         else
             self.drawOneAtATime(meshes, draw);
@@ -568,7 +571,7 @@ CaptureReport ReflectionProbe::capture(const DrawScene& drawScene)
     self.requireReady();
     self.place();
     return self.fill([&] {
-        const bool together = self.desc.layers == LayerOrder::allAtOnce && !self.peeling;
+        const bool together = self.allAtOnce && !self.peeling;
         for (int id = together ? -1 : 0; id < (together ? 0 : viewCount()); ++id) {
             CaptureView view(self, id);
             drawScene(view);

@@ -7,6 +7,8 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -41,7 +43,7 @@ std::optional<int> scalarsOf(const std::string& type)
 // Scalars of a varying in one vertex of the stage that writes most.
 int scalarsOf(const Varying& varying, Carriage carriage)
 {
-    const int one = scalarsOf(varying.type).value_or(4);
+    const int one = scalarsOf(varying.type).value_or(4) * std::max(varying.elements, 1);
     return carriage == Carriage::exact && !isFlat(varying) ? 3 * one : one;
 }
 
@@ -84,12 +86,112 @@ std::string qualifiers(const Varying& varying)
 // prefix could be a name of the library's.
 std::string carriedName(const Varying& varying)
 {
-    return prefix + "varying" + std::to_string(varying.declaration);
+    return prefix + "varying" + std::to_string(varying.declaration) +
+           (varying.block.empty() ? "" : "_member" + std::to_string(varying.member));
 }
 
 std::string carriedName(const Varying& varying, int corner)
 {
     return carriedName(varying) + "_" + std::to_string(corner);
+}
+
+// What declares the vertex shader's output in the stage after it, an array over the corners.
+std::string fromVertex(const Varying& varying)
+{
+    if (varying.block.empty())
+        return qualifiers(varying) + "in " + varying.type + " " + varying.vertexName + "[]" +
+               varying.arraySuffix + ";\n";
+    if (varying.blockBody.empty())
+        return "";
+    return "in " + varying.block + "\n{\n" + varying.blockBody + "} " + prefix + "block" +
+           std::to_string(varying.declaration) + "[];\n";
+}
+
+std::string atCorner(const Varying& varying, const std::string& corner)
+{
+    return varying.block.empty() ? varying.vertexName + "[" + corner + "]"
+                                 : prefix + "block" + std::to_string(varying.declaration) + "[" + corner +
+                                       "]." + varying.vertexName;
+}
+
+// target = value for each element of an array, whose place in either is marked by a #.
+std::string assignment(const Varying& varying, const std::string& target, const std::string& value)
+{
+    const bool isArray = !varying.arraySuffix.empty();
+    const auto at = [&](std::string text) {
+        for (std::size_t mark = text.find('#'); mark != std::string::npos; mark = text.find('#'))
+            text.replace(mark, 1, isArray ? "[" + prefix + "element]" : "");
+        return text;
+    };
+    const std::string loop = "for (int " + prefix + "element = 0; " + prefix + "element < " +
+                             std::to_string(varying.elements) + "; ++" + prefix + "element)\n    ";
+    return (isArray ? loop : "") + at(target) + " = " + at(value) + ";\n";
+}
+
+// The mean of three corners by a vector of weights; of a flat varying, the provoking vertex's value.
+std::string mixed(const Varying& varying, const std::string& weight,
+                  const std::function<std::string(int)>& corner)
+{
+    if (isFlat(varying))
+        return corner(2) + "#";
+    std::string sum;
+    for (int index = 0; index < 3; ++index)
+        sum += (index == 0 ? "" : " + ") + weight + "." + "xyz"[index] + " * " + corner(index) + "#";
+    return sum;
+}
+
+// The number in [N], where N is written there or is a constant of the shader's.
+int elementsOf(const std::string& suffix, const HostShader& shader)
+{
+    if (suffix.empty())
+        return 1;
+    const std::string inner = suffix.substr(1, suffix.size() - 2);
+    if (std::all_of(inner.begin(), inner.end(), [](unsigned char c) { return std::isdigit(c) != 0; }))
+        return inner.empty() ? 0 : std::atoi(inner.c_str());
+    return shader.constant(inner).value_or(0);
+}
+
+std::string troubleOf(const Varying& varying)
+{
+    if (!scalarsOf(varying.type))
+        return "it is no scalar, vector or matrix of float, int or uint, nor an array of them";
+    return varying.elements < 1 ? "its size '" + varying.arraySuffix + "' is no number" : "";
+}
+
+Varying varyingOf(std::size_t index, const Declaration& input, const Declaration& output,
+                  const HostShader& fragment)
+{
+    Varying varying{index,           input.type, input.name, input.arraySuffix, input.interpolation,
+                    input.auxiliary, output.name};
+    varying.elements = elementsOf(input.arraySuffix, fragment);
+    if (!input.arraySuffix.empty() && varying.elements > 0)
+        varying.arraySuffix = "[" + std::to_string(varying.elements) + "]";
+    varying.trouble = troubleOf(varying);
+    return varying;
+}
+
+// The members of a block that both shaders have.
+void addMembers(std::vector<Varying>& varyings, std::size_t index, const Declaration& input,
+                const Declaration& output, const HostShader& vertex, const HostShader& fragment)
+{
+    std::string body;
+    for (const Declaration& member : output.members) {
+        const Varying written = varyingOf(index, member, member, vertex);
+        body += qualifiers(written) + written.type + " " + written.name + written.arraySuffix + ";\n";
+    }
+    for (std::size_t member = 0; member < input.members.size(); ++member) {
+        const Declaration& declared = input.members[member];
+        Varying varying = varyingOf(index, declared, declared, fragment);
+        varying.name = (input.instance.empty() ? "" : input.instance + ".") + declared.name;
+        varying.block = input.name;
+        varying.blockBody = member == 0 ? body : "";
+        varying.member = static_cast<int>(member);
+        if (input.hasConditions || output.hasConditions)
+            varying.trouble = "its block has preprocessor lines inside";
+        if (!input.arraySuffix.empty() || !output.arraySuffix.empty())
+            varying.trouble = "its block is an array";
+        varyings.push_back(varying);
+    }
 }
 
 } // namespace
@@ -102,21 +204,20 @@ std::vector<Varying> varyingsOf(const HostShader& vertex, const HostShader& frag
         const Declaration& input = declarations[index];
         if (input.storage != "in" || input.type.empty() || input.name.rfind("gl_", 0) == 0)
             continue;
-        if (input.isBlock)
-            throw Error(ErrorKind::badShader, fragment.name(),
-                        "it reads the interface block '" + input.name + "'",
-                        "declare its members as varyings of their own");
         const auto& outputs = vertex.declarations();
         const auto output = std::find_if(outputs.begin(), outputs.end(), [&](const Declaration& candidate) {
-            const bool joined = input.location.empty() || candidate.location.empty()
+            const bool joined = input.isBlock || input.location.empty() || candidate.location.empty()
                                     ? candidate.name == input.name
                                     : candidate.location == input.location;
-            return candidate.storage == "out" && joined;
+            return candidate.storage == "out" && candidate.isBlock == input.isBlock && joined;
         });
         // What nobody writes may be declared all the same; the driver complains if it is read.
-        if (output != outputs.end())
-            varyings.push_back({index, input.type, input.name, input.arraySuffix, input.interpolation,
-                                input.auxiliary, output->name});
+        if (output == outputs.end())
+            continue;
+        if (input.isBlock)
+            addMembers(varyings, index, input, *output, vertex, fragment);
+        else
+            varyings.push_back(varyingOf(index, input, *output, fragment));
     }
     return varyings;
 }
@@ -177,11 +278,15 @@ void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int ve
         const Varying& varying = varyings[index];
         const std::string asked = "varying '" + varying.type + " " + varying.name + varying.arraySuffix +
                                   "' of '" + programName + "'";
-        if (carriage == Carriage::exact && (!scalarsOf(varying.type) || !varying.arraySuffix.empty()))
-            throw Error(ErrorKind::badShader, asked,
-                        "exact capture carries scalars, vectors and matrices of float, int and uint only",
+        std::string trouble = carriage == Carriage::direct ? "" : varying.trouble;
+        // The stage after the vertex shader's reads arrays of arrays; within a block it does not.
+        if (carriage != Carriage::direct && !varying.arraySuffix.empty() && varying.block.empty() &&
+            epoxy_gl_version() < 43 && !epoxy_has_gl_extension("GL_ARB_arrays_of_arrays"))
+            trouble = "this driver has no arrays of arrays";
+        if (!trouble.empty())
+            throw Error(ErrorKind::badShader, asked, trouble + ", and this capture carries no others",
                         "split it up or capture with perVertex");
-        if (!isCounted(varyings, index) || !varying.arraySuffix.empty())
+        if (!isCounted(varyings, index))
             continue;
         before += scalarsOf(varying, Carriage::direct);
         after += scalarsOf(varying, carriage);
@@ -200,18 +305,17 @@ std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carr
     const bool isExact = carriage == Carriage::exact;
     std::string declarations, copies;
     for (const Varying& varying : varyings) {
-        std::string declaration = qualifiers(varying) + "in " + varying.type + " " + varying.vertexName +
-                                  "[]" + varying.arraySuffix + ";\n";
+        std::string declaration = fromVertex(varying);
         std::string copy;
         if (!isExact) {
             declaration += qualifiers(varying) + "out " + varying.type + " " + carriedName(varying) +
                            varying.arraySuffix + ";\n";
-            copy = carriedName(varying) + " = " + varying.vertexName + "[" + prefix + "corner];\n";
+            copy = carriedName(varying) + " = " + atCorner(varying, prefix + "corner") + ";\n";
         }
         for (int corner = isFlat(varying) ? 2 : 0; isExact && corner < 3; ++corner) {
             const std::string name = carriedName(varying, corner);
-            declaration += "flat out " + varying.type + " " + name + ";\n";
-            copy += name + " = " + varying.vertexName + "[" + std::to_string(corner) + "];\n";
+            declaration += "flat out " + varying.type + " " + name + varying.arraySuffix + ";\n";
+            copy += name + " = " + atCorner(varying, std::to_string(corner)) + ";\n";
         }
         declarations += onlyWhereDeclared(varying, declaration);
         copies += onlyWhereDeclared(varying, copy);
@@ -223,12 +327,13 @@ std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carr
 std::string controlVaryings(const std::vector<Varying>& varyings)
 {
     std::string declarations, copies;
-    const std::string corner = "[gl_InvocationID]"; // outputs may be written at no other
+    const std::string corner = "gl_InvocationID"; // outputs may be written at no other
     for (const Varying& varying : varyings) {
         const std::string name = carriedName(varying) + "_control";
-        declarations += onlyWhereDeclared(varying, "in " + varying.type + " " + varying.vertexName +
-                                                       "[];\nout " + varying.type + " " + name + "[];\n");
-        copies += onlyWhereDeclared(varying, name + corner + " = " + varying.vertexName + corner + ";\n");
+        declarations += onlyWhereDeclared(varying, fromVertex(varying) + "out " + varying.type + " " + name +
+                                                       "[]" + varying.arraySuffix + ";\n");
+        copies += onlyWhereDeclared(
+            varying, assignment(varying, name + "[" + corner + "]#", atCorner(varying, corner) + "#"));
     }
     return declarations + "void " + prefix + "copyVaryings()\n{\n" + copies + "}\n";
 }
@@ -240,13 +345,12 @@ std::string evaluationVaryings(const std::vector<Varying>& varyings)
     for (const Varying& varying : varyings) {
         const std::string name = carriedName(varying) + "_control";
         declarations +=
-            onlyWhereDeclared(varying, "in " + varying.type + " " + name + "[];\n" + qualifiers(varying) +
-                                           "out " + varying.type + " " + carriedName(varying) + ";\n");
-        std::string value = name + "[2]"; // of a flat one: the provoking vertex is the last
-        if (!isFlat(varying))
-            value = weight + ".x * " + name + "[0] + " + weight + ".y * " + name + "[1] + " + weight +
-                    ".z * " + value;
-        mixes += onlyWhereDeclared(varying, carriedName(varying) + " = " + value + ";\n");
+            onlyWhereDeclared(varying, "in " + varying.type + " " + name + "[]" + varying.arraySuffix +
+                                           ";\n" + qualifiers(varying) + "out " + varying.type + " " +
+                                           carriedName(varying) + varying.arraySuffix + ";\n");
+        const std::string value =
+            mixed(varying, weight, [&](int corner) { return name + "[" + std::to_string(corner) + "]"; });
+        mixes += onlyWhereDeclared(varying, assignment(varying, carriedName(varying) + "#", value));
     }
     return declarations + "void " + prefix + "mixVaryings(vec3 " + weight + ")\n{\n" + mixes + "}\n";
 }
@@ -262,16 +366,15 @@ std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carr
         if (carriage == Carriage::copied) {
             declaration = qualifiers(varying) + "in " + varying.type + " " + carriedName(varying) +
                           varying.arraySuffix + ";\n";
-            value = carriedName(varying);
-        }
-        for (int corner = isFlat(varying) ? 2 : 0; carriage == Carriage::exact && corner < 3; ++corner) {
-            declaration += "flat in " + varying.type + " " + carriedName(varying, corner) + ";\n";
-            value += (value.empty() ? "" : " + ") +
-                     (isFlat(varying) ? "" : weight + "." + "xyz"[corner] + " * ") +
-                     carriedName(varying, corner);
+            value = carriedName(varying) + "#";
+        } else {
+            for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner)
+                declaration += "flat in " + varying.type + " " + carriedName(varying, corner) +
+                               varying.arraySuffix + ";\n";
+            value = mixed(varying, weight, [&](int corner) { return carriedName(varying, corner); });
         }
         declarations += onlyWhereDeclared(varying, declaration);
-        reads += onlyWhereDeclared(varying, varying.name + " = " + value + ";\n");
+        reads += onlyWhereDeclared(varying, assignment(varying, varying.name + "#", value));
     }
     return declarations + "void " + prefix + "readVaryings()\n{\n" + reads + "}\n";
 }

@@ -16,12 +16,22 @@ namespace mirrorball::capture {
 inline const std::string prefix = "mirrorballCapture_";
 inline const std::string declarationMark = prefix + "declared"; // see HostShader::Changes::mark
 
-// A varying that the fragment shader declares and the vertex shader writes.
+// A varying that the fragment shader declares and the vertex shader writes: a variable, or a member of an
+// interface block.
 struct Varying
 {
     std::size_t declaration; // which of the fragment shader's; its mark says whether it is compiled in
-    std::string type, name, arraySuffix, interpolation, auxiliary;
-    std::string vertexName; // another one only where a layout location joins the two
+    std::string type;
+    std::string name; // as the fragment shader calls it: "normal", or "surface.normal"
+    std::string arraySuffix, interpolation, auxiliary;
+    std::string vertexName;     // another one only where a layout location joins the two, or a block
+    int elements = 1;           // of an array; 0 where the number is not known
+    std::string block = {};     // of which it is a member; "" for none
+    std::string blockBody = {}; // the vertex shader's members, for the first of a block only
+    int member = 0;             // its number in the block
+    std::string trouble = {};   // why it cannot be carried past another stage; "" where it can
+
+    std::string statement() const { return block.empty() ? name : block; } // what declares it
 };
 
 std::vector<Varying> varyingsOf(const HostShader& vertex, const HostShader& fragment);

@@ -120,8 +120,11 @@ void checkViews(const tests::SixWalls& walls, MapKind map, LayerOrder layers)
     checkUnchanged([&] { report = own.capture(drawScene); }, "views");
     const std::multiset<int> first = ids;
     own.capture(drawScene);
-    const auto views =
-        layers == LayerOrder::allAtOnce ? std::size_t{1} : static_cast<std::size_t>(own.viewCount());
+    // Softpipe mistakes layers, and the library notices.
+    const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const bool together =
+        layers == LayerOrder::allAtOnce && (mapInfo(map).components == 1 || renderer != "softpipe");
+    const std::size_t views = together ? 1 : static_cast<std::size_t>(own.viewCount());
     CHECK(first.size() == views && ids.size() == 2 * views); // the same ids again
     for (const int id : first)
         CHECK(ids.count(id) == 2);
@@ -292,12 +295,16 @@ void checkLimits()
 
 } // namespace
 
-int main()
+// [MAP]: that map only.
+int main(int argc, char** argv)
 {
     const headless::Context context;
+    const std::string only = argc > 1 ? argv[1] : "";
     const tests::SixWalls walls(glm::vec3(0.0f), 8);
     tests::HostileState hostile;
     for (const MapInfo& info : maps()) {
+        if (!only.empty() && info.name != only)
+            continue;
         checkSupersampling(walls, info.kind, info.components == 1 ? 4 : 3);
         checkViews(walls, info.kind, LayerOrder::oneAtATime);
         checkViews(walls, info.kind, LayerOrder::allAtOnce);

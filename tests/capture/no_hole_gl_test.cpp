@@ -313,11 +313,14 @@ void checkSendings(Program& program, const Drawable& drawable, MapKind map, Capt
 int main(int argc, char** argv)
 {
     const headless::Context context;
-    // For each shape and map; 10,000 in all.
+    // [POINTS [MAP]]: for each shape and map, 10,000 in all.
     const int points = argc > 1 ? std::atoi(argv[1]) : 625;
+    const std::string only = argc > 2 ? argv[2] : "";
     Program program;
     const Drawable sphere(bumpySphere(9, 14)), twelve(box());
     for (const MapInfo& info : maps()) {
+        if (!only.empty() && info.name != only)
+            continue;
         std::mt19937 generator(11);
         checkClosed(program, sphere, info.kind, points, generator);
         checkClosed(program, twelve, info.kind, points, generator);

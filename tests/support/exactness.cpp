@@ -13,27 +13,48 @@ namespace {
 
 // Two surfaces count as one where their distances differ by no more than float accuracy promises.
 constexpr double sameDistance = 1e-4;
-// Nearer to an edge of the surface that it hits, a traced ray may itself be on the wrong side in float.
+// Nearer to an edge, either of the two may be on the wrong side in float.
 constexpr double atEdge = 1e-5;
 
-void compare(Exactness& result, const examples::Sample& shown, const examples::Hit& hit)
+double angleToEdgesOf(const examples::Scene& scene, const glm::dvec3& at, const glm::dvec3& direction,
+                      std::uint32_t triangle)
+{
+    for (const examples::Mesh& mesh : scene.meshes) {
+        if (triangle < mesh.triangles.size()) {
+            const auto& corners = mesh.triangles[triangle];
+            const auto relative = [&](std::size_t corner) {
+                return glm::dvec3(mesh.positions[corners[corner]]) + (scene.offset - at);
+            };
+            return examples::angleToEdges(direction, relative(0), relative(1), relative(2));
+        }
+        triangle -= static_cast<std::uint32_t>(mesh.triangles.size());
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+void compare(Exactness& result, const examples::Scene& scene, const glm::dvec3& at,
+             const glm::dvec3& direction, const Seen& shown, const Seen& traced)
 {
     ++result.texels;
-    result.shown += std::isinf(shown.distance) ? 0 : 1;
-    const bool nothing = std::isinf(shown.distance);
-    if (!hit.found && nothing)
+    result.shown += shown.triangle ? 1 : 0;
+    if (!shown.triangle && !traced.triangle)
         return;
-    result.holes += hit.found && nothing ? 1 : 0;
-    const double relative = hit.found ? std::abs(static_cast<double>(shown.distance) / hit.distance - 1.0)
-                                      : std::numeric_limits<double>::infinity();
-    const bool sameTriangle =
-        hit.found && !nothing && static_cast<std::uint32_t>(shown.colour.x + 0.5) == hit.triangle;
-    if (sameTriangle || relative <= sameDistance) {
+    result.holes += traced.triangle && !shown.triangle ? 1 : 0;
+    const double relative = shown.triangle && traced.triangle
+                                ? std::abs(shown.distance / traced.distance - 1.0)
+                                : std::numeric_limits<double>::infinity();
+    if (shown.triangle == traced.triangle || relative <= sameDistance) {
         result.worstDistance = std::max(result.worstDistance, relative);
         return;
     }
     ++result.wrong;
-    result.wrongFarOff += hit.found && hit.edgeAngle > atEdge ? 1 : 0;
+    double edgeAngle = std::numeric_limits<double>::infinity();
+    for (const Seen& seen : {shown, traced})
+        if (seen.triangle)
+            edgeAngle = std::min(edgeAngle, angleToEdgesOf(scene, at, direction, *seen.triangle));
+    result.wrongFarOff += edgeAngle > atEdge ? 1 : 0;
 }
 
 void add(Exactness& total, const Exactness& part)
@@ -45,8 +66,6 @@ void add(Exactness& total, const Exactness& part)
     total.holes += part.holes;
     total.worstDistance = std::max(total.worstDistance, part.worstDistance);
 }
-
-} // namespace
 
 Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
                       mirrorball::ReflectionProbe::Desc desc)
@@ -82,7 +101,14 @@ Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
                                                        static_cast<double>(desc.far));
                 const std::size_t texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                                           static_cast<std::size_t>(column);
-                compare(part, layers[static_cast<std::size_t>(layer)][texel], hit);
+                const examples::Sample& sample = layers[static_cast<std::size_t>(layer)][texel];
+                Seen shown, traced;
+                if (!std::isinf(sample.distance))
+                    shown = {static_cast<std::uint32_t>(sample.colour.x + 0.5),
+                             static_cast<double>(sample.distance)};
+                if (hit.found)
+                    traced = {hit.triangle, hit.distance};
+                compare(part, scene, at, direction, shown, traced);
             }
             const std::lock_guard lock(mutex);
             add(total, part);

@@ -28,7 +28,9 @@ enum class CaptureMethod {
 
 enum class LayerOrder {
     oneAtATime, // a draw for each component that a mesh touches
-    allAtOnce,  // one draw a mesh; a geometry shader sends triangles to their layers
+    // One draw a mesh; a geometry shader sends triangles to their layers. Where a probe finds on construction
+    // that the driver does that wrong (Mesa's softpipe), it draws one at a time.
+    allAtOnce,
 };
 
 enum class DepthTerm {
