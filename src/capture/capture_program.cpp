@@ -41,11 +41,10 @@ int eventsOf(MapKind map)
     case MapKind::cube:
     case MapKind::equiAngularCube:
     case MapKind::octahedral:
-        return 3;
-    case MapKind::sphereMap:
+    case MapKind::sphereMap: // which has no strips
         break;
     }
-    return 1;
+    return 3;
 }
 
 // Sag of an arc on the map over its chord, in texels: a constant times chord² (of unit directions). The
@@ -62,6 +61,13 @@ std::string coverDefines(MapKind map)
            define("ACROSS", std::string(map == MapKind::equirectangular ? "y" : "x")) +
            define("EQUIRECTANGULAR", map == MapKind::equirectangular) +
            define("PERIOD", std::string(map == MapKind::equirectangular ? "1.0" : "(4.0 / 3.0)")) +
+           // A curve of longitude has one inflection each half turn; others have no more in a layer.
+           define("LONGEST_STRIP", std::string(tennisBall                        ? "0.6"
+                                               : map == MapKind::equirectangular ? "0.45"
+                                               : map == MapKind::octahedral      ? "0.0"
+                                                                                 : "2.0")) +
+           // Around a circle of longitude a triangle may leave a layer and come back.
+           define("WRAPS", std::string(tennisBall || map == MapKind::equirectangular ? "true" : "false")) +
            define("EVENTS", std::to_string(eventsOf(map))) + define("SAG", sag);
 }
 
@@ -112,7 +118,7 @@ int stripsOf(const CaptureProgram::Implementation& host, const Variant& variant)
     const int scalars = scalarsOf(host.varyings, Carriage::exact);
     const int vertices =
         gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / (scalars * viewsAtOnce(variant));
-    return std::clamp(vertices / 2 - 1, 1, 10);
+    return std::clamp(vertices / 2 - 1, 1, 6);
 }
 
 // What the geometry stage writes at most for one triangle: `corners` for each view.

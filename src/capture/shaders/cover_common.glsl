@@ -4,10 +4,11 @@ uniform vec2 mirrorballCapture_size; // of a layer, in texels
 // Rounding of positions (the rasteriser snaps to 1/16 texel at the coarsest) and of the chart.
 const float mirrorballCapture_guard = 0.07;
 
-// A covering polygon: the corners of a triangle strip.
+// A covering polygon: the corners of a triangle strip, or of several.
 struct mirrorballCapture_Cover
 {
-    int count; // 0 where nothing of the triangle lies on the layer
+    int count;  // 0 where nothing of the triangle lies on the layer
+    int breaks; // bit k: a new strip begins with corner 2 k
     vec2 corner[MIRRORBALL_CORNERS];
 };
 
@@ -35,6 +36,7 @@ void mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, inout mirrorballCaptur
     vec2 low = min(min(p[0], p[1]), p[2]) - most;
     vec2 high = max(max(p[0], p[1]), p[2]) + most;
     cover.count = 0;
+    cover.breaks = 0;
     if (any(greaterThan(low, mirrorballCapture_size)) || any(lessThan(high, vec2(0.0))))
         return;
     cover.count = 4;
@@ -67,8 +69,8 @@ void mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, inout mirrorballCaptur
 // Each family of maps writes these two. The first narrows the extent across, at one place along, to the side of an edge's
 // plane where edge . direction >= 0 (a little more, for rounding).
 void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent);
-// The second: how far an edge departs from a straight line within a strip of this width, across; large if unknown.
-float mirrorballCapture_departure(int view, vec3 edge, float width);
+// The second: where, nearest to a place along, an edge's curve changes the sense of its bend; outside the layer if nowhere.
+float mirrorballCapture_inflection(int view, vec3 edge, float at);
 
 #if MIRRORBALL_OCTAHEDRAL
 // The octahedral map's views share a layer: the extent is narrowed to what a view has of a strip.
@@ -89,46 +91,73 @@ vec2 mirrorballCapture_extentAt(int view, vec3 edge[4], float at, out ivec2 bind
     return extent;
 }
 
-// What a strip has of a triangle: its lower and upper outline at the strip's beginning (x, y) and end (z, w); empty where
-// x > y. The outline is monotone between `events` (vertices, and where an edge turns back), so the extents there and at
-// both ends bound it. Where one edge runs through the strip as a nearly straight line, it is followed.
-vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORBALL_EVENTS], float from, float to)
+// The bound that one edge sets over a strip, as a straight line on its outer side: at the strip's beginning and end.
+// `side` is 0 for the lower bound, 1 for the upper. Without a bound everywhere in the strip: `wide`.
+vec2 mirrorballCapture_edgeLine(int view, vec3 edge, float from, float to, float guard, int side, vec2 wide)
 {
-    ivec2 bindingFrom, bindingTo, ignored;
-    vec2 begin = mirrorballCapture_extentAt(view, edge, from, bindingFrom);
-    vec2 end = mirrorballCapture_extentAt(view, edge, to, bindingTo);
+    const vec2 everything = vec2(-9.0, 10.0);
+    float place[5];
+    place[0] = from - guard;
+    place[4] = to + guard;
+    place[2] = clamp(mirrorballCapture_inflection(view, edge, 0.5 * (from + to)), place[0], place[4]);
+    place[1] = 0.5 * (place[0] + place[2]);
+    place[3] = 0.5 * (place[2] + place[4]);
+    float outward = side == 0 ? -1.0 : 1.0;
+    float value[5]; // grows outwards
+    float greatest = 0.0;
+    for (int k = 0; k < 5; ++k) {
+        vec2 extent = everything;
+        mirrorballCapture_narrow(view, edge, place[k], extent);
+        value[k] = outward * extent[side];
+        greatest = max(greatest, abs(value[k]));
+    }
+    float slope = (value[4] - value[0]) / (place[4] - place[0]);
+    // On either side of the inflection the curve bends one way, and departs from a chord by at most twice what it does in
+    // the chord's middle.
+    float bulge = max(value[1] - 0.5 * (value[0] + value[2]), value[3] - 0.5 * (value[2] + value[4]));
+    float knee = value[2] - value[0] - slope * (place[2] - place[0]);
+    // The guard along moves a sloping line, too.
+    float push = max(knee, 0.0) + 2.0 * max(bulge, 0.0) + guard * abs(slope);
+    vec2 line = outward * (value[0] + push + slope * (vec2(from, to) - place[0]));
+    return greatest < 8.0 && to - from < MIRRORBALL_LONGEST_STRIP ? line : wide;
+}
+
+// What a strip has of a triangle: its lower and upper outline at the strip's beginning (x, y) and end (z, w); empty where
+// x > y, and `clear` if that is more than rounding: nothing needs to be drawn there. The outline is monotone between `events` (vertices, and where an edge turns back), so the extents there and at
+// both ends bound it; the edges that bind it in the strip's middle bound it more closely.
+vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORBALL_EVENTS], float from, float to,
+                                    out bool clear)
+{
     // The rasteriser may move the strip's ends along, too: a triangle that is thin that way changes its extent within less.
     float guard = mirrorballCapture_guard / mirrorballCapture_size.MIRRORBALL_ALONG;
     vec2 extent = vec2(20.0, -20.0);
-    bool corners = false;
-    for (int index = 0; index < MIRRORBALL_EVENTS + 4; ++index) {
+    ivec2 binding;
+    bool corner = false;
+    vec2 found;
+    for (int index = 0; index < MIRRORBALL_EVENTS + 5; ++index) {
         float event = index < MIRRORBALL_EVENTS ? events[min(index, MIRRORBALL_EVENTS - 1)]
                       : index == MIRRORBALL_EVENTS       ? from
                       : index == MIRRORBALL_EVENTS + 1   ? to
                       : index == MIRRORBALL_EVENTS + 2   ? from - guard
-                                                         : to + guard;
-        float place = clamp(event, from - guard, to + guard);
-        vec2 found = mirrorballCapture_extentAt(view, edge, place, ignored);
+                      : index == MIRRORBALL_EVENTS + 3   ? to + guard
+                                                         : 0.5 * (from + to);
+        found = mirrorballCapture_extentAt(view, edge, clamp(event, from - guard, to + guard), binding);
+        corner = corner || (index < 3 && event > from && event < to);
         if (found.x <= found.y)
             extent = vec2(min(extent.x, found.x), max(extent.y, found.y));
-        corners = corners || (index < 3 && place > from && place < to);
     }
     vec2 low = extent.xx;
     vec2 high = extent.yy;
-    if (begin.x <= begin.y && end.x <= end.y && !corners) {
-        // The guard along moves a sloping line by its slope times the guard.
-        float guards = mirrorballCapture_guard / ((to - from) * mirrorballCapture_size.MIRRORBALL_ALONG);
-        vec2 slack = guards * abs(end - begin);
-        if (bindingFrom.x == bindingTo.x && bindingFrom.x >= 0) {
-            float departure = mirrorballCapture_departure(view, edge[bindingFrom.x], to - from);
-            vec2 line = vec2(begin.x, end.x) - (departure + slack.x);
-            low = line.x + line.y > low.x + low.y && max(abs(line.x), abs(line.y)) < 9.0 ? line : low;
-        }
-        if (bindingFrom.y == bindingTo.y && bindingFrom.y >= 0) {
-            float departure = mirrorballCapture_departure(view, edge[bindingFrom.y], to - from);
-            vec2 line = vec2(begin.y, end.y) + (departure + slack.y);
-            high = line.x + line.y < high.x + high.y && max(abs(line.x), abs(line.y)) < 9.0 ? line : high;
-        }
+    // The last place was the middle; a thousandth of the layer is far beyond rounding.
+    clear = !corner && found.x > found.y + 1e-3;
+    // Any edge bounds the triangle: which one is taken matters only for how closely.
+    if (binding.x >= 0) {
+        vec2 line = mirrorballCapture_edgeLine(view, edge[binding.x], from, to, guard, 0, low);
+        low = line.x + line.y > low.x + low.y ? line : low;
+    }
+    if (binding.y >= 0) {
+        vec2 line = mirrorballCapture_edgeLine(view, edge[binding.y], from, to, guard, 1, high);
+        high = line.x + line.y < high.x + high.y ? line : high;
     }
     // What lies beside the layer is left out; the rest is cut off by the rasteriser.
     bool outside = extent.x > 1.0 || extent.y < 0.0 || extent.x > extent.y;
@@ -141,7 +170,38 @@ vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORB
     if (high.x == high.y)
         high = min(high, vec2(octant.y));
 #endif
-    return outside ? vec4(20.0, -20.0, 20.0, -20.0) : vec4(low.x, high.x, low.y, high.y);
+    // Where the bounds cross in the strip, at a corner of the triangle, exchanging them at the far end still covers it.
+    vec2 least = min(low, high);
+    vec2 most = max(low, high);
+    return outside ? vec4(20.0, -20.0, 20.0, -20.0) : vec4(least.x, most.x, least.y, most.y);
+}
+
+// The borders of the strips between `first` and `last`: at the three vertices between them, so that few strips hold a
+// corner, and evenly in between.
+void mirrorballCapture_placeStrips(vec3 vertices, float first, float last, out float border[MIRRORBALL_STRIPS + 1])
+{
+    // With fewer strips than four parts: evenly.
+    vec3 v = MIRRORBALL_STRIPS < 4 ? vec3(first) : clamp(vertices, first, last);
+    float least = min(min(v.x, v.y), v.z);
+    float most = max(max(v.x, v.y), v.z);
+    float middle = max(min(max(v.x, v.y), v.z), min(v.x, v.y));
+    float stops[5] = float[5](first, least, middle, most, last);
+    int done = 0;
+    border[0] = first;
+    for (int part = 0; part < 4; ++part) {
+        float from = stops[part];
+        float to = stops[part + 1];
+        int later = 0; // parts that still need a strip each
+        for (int next = part + 1; next < 4; ++next)
+            later += stops[next + 1] > stops[next] ? 1 : 0;
+        int left = MIRRORBALL_STRIPS - done;
+        int share = int(floor(float(left) * (to - from) / max(last - from, 1e-30) + 0.5));
+        share = later == 0 ? left : clamp(share, 1, max(left - later, 1));
+        share = to > from || part == 3 ? min(share, left) : 0;
+        for (int index = 1; index <= share; ++index)
+            border[done + index] = mix(from, to, float(index) / float(share));
+        done += share;
+    }
 }
 
 // A triangle of any size, cut into strips between `first` and `last` along MIRRORBALL_ALONG; the polygon runs through the
@@ -151,14 +211,17 @@ void mirrorballCapture_coverStrips(int view, vec3 edge[4], float events[MIRRORBA
                                    inout mirrorballCapture_Cover cover)
 {
     const vec4 nothing = vec4(20.0, -20.0, 20.0, -20.0);
-    float step = (last - first) / float(MIRRORBALL_STRIPS);
+    float border[MIRRORBALL_STRIPS + 1];
+    mirrorballCapture_placeStrips(vec3(events[0], events[1], events[2]), first, last, border);
     vec4 before = nothing;
     bool seen = false;
+    bool gap = true; // the strips between the last one seen and this one need nothing drawn
     for (int strip = 0; strip <= MIRRORBALL_STRIPS; ++strip) {
-        float at = first + step * float(strip);
+        float at = border[strip];
         vec4 here = nothing;
+        bool clear = true;
         if (strip < MIRRORBALL_STRIPS)
-            here = mirrorballCapture_stripOutline(view, edge, events, at, at + step);
+            here = mirrorballCapture_stripOutline(view, edge, events, at, border[strip + 1], clear);
         vec2 both = vec2(min(before.z, here.x), max(before.w, here.y));
         vec2 low, high;
         low.MIRRORBALL_ALONG = high.MIRRORBALL_ALONG = at * mirrorballCapture_size.MIRRORBALL_ALONG;
@@ -174,12 +237,17 @@ void mirrorballCapture_coverStrips(int view, vec3 edge[4], float events[MIRRORBA
             for (int index = 0; index < 2 * strip; ++index)
                 cover.corner[index] = low;
             seen = true;
+        } else if (MIRRORBALL_WRAPS && here.x <= here.y && before.x > before.y && gap) { // where it comes back
+            low.MIRRORBALL_ALONG -= mirrorballCapture_guard;
+            high.MIRRORBALL_ALONG -= mirrorballCapture_guard;
+            cover.breaks |= 1 << strip;
         } else if (here.x > here.y && before.x <= before.y) { // its end
             low.MIRRORBALL_ALONG += mirrorballCapture_guard;
             high.MIRRORBALL_ALONG += mirrorballCapture_guard;
         }
         cover.corner[2 * strip] = low;
         cover.corner[2 * strip + 1] = high;
+        gap = here.x > here.y && clear && (gap || before.x <= before.y);
         before = here;
     }
     cover.count = seen ? 2 * MIRRORBALL_STRIPS + 2 : 0;

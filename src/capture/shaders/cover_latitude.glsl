@@ -41,15 +41,14 @@ void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
     extent = isLow ? vec2(max(extent.x, bound), extent.y) : vec2(extent.x, min(extent.y, bound));
 }
 
-// Latitude over longitude is atan(T sin l) with T the tangent of the circle's inclination; its second derivative stays
-// below T + 0.65 T^2. A radian of latitude is at most 0.75 of the square (0.32 on the equirectangular map), and the even
-// map's own bend adds less than a third.
-float mirrorballCapture_departure(int view, vec3 edge, float width)
+// Latitude over longitude is atan(T sin l), with T the tangent of the circle's inclination: it bends one way between two
+// crossings of the equator, which are half a turn apart.
+float mirrorballCapture_inflection(int view, vec3 edge, float at)
 {
     vec3 m = mirrorballCapture_local(view, edge);
-    float inclination = min(length(m.xz) / max(abs(m.y), 1e-30), 1e3);
-    float radians = 6.2831853 * width / MIRRORBALL_PERIOD;
-    return (inclination + 0.65 * inclination * inclination) * radians * radians * 0.125;
+    const float apart = 0.5 * MIRRORBALL_PERIOD;
+    float crossing = mirrorballCapture_atan2Pi(m.x, m.z) * apart + 0.5 + 0.5 * apart;
+    return crossing + apart * floor((at - crossing) / apart + 0.5);
 }
 
 // A pole in the triangle, or so near that rounding could tell it wrong; side is +1 or -1.

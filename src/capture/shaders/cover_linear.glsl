@@ -55,13 +55,17 @@ void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 e
 }
 #endif
 
-float mirrorballCapture_departure(int view, vec3 edge, float width)
+// Lines are straight on a cube face and in an octant. On the equi-angular cube they are x = atan(a tan y + b), whose
+// derivative is a / (cos^2 y + (a sin y + b cos y)^2): its extremes are a quarter turn apart.
+float mirrorballCapture_inflection(int view, vec3 edge, float at)
 {
-    // Straight on a cube face. An octant's border cuts lines in two, and the equi-angular cube bends them.
-#if MIRRORBALL_OCTAHEDRAL || MIRRORBALL_EQUI_ANGULAR_CUBE
-    return 9.0;
+#if MIRRORBALL_EQUI_ANGULAR_CUBE
+    vec3 line = mirrorballCapture_lineFromDirection[view] * edge;
+    float halfTurns = 0.5 * mirrorballCapture_atan2Pi(2.0 * line.y * line.z, dot(line.xz, line.xz) - line.y * line.y);
+    float place = 2.0 * halfTurns + 0.5;
+    return place + floor(at - place + 0.5);
 #else
-    return 0.0;
+    return -9.0;
 #endif
 }
 

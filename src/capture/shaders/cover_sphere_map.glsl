@@ -1,11 +1,17 @@
-// The sphere map has no bound of a large triangle but the whole layer.
-void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
+// No strips here: what is neither straight nor in a sector takes the whole layer.
+void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent) {}
+float mirrorballCapture_inflection(int view, vec3 edge, float at)
 {
+    return -9.0;
 }
 
-float mirrorballCapture_departure(int view, vec3 edge, float width)
+void mirrorballCapture_coverLayer(inout mirrorballCapture_Cover cover)
 {
-    return 9.0;
+    cover.corner[0] = vec2(0.0);
+    cover.corner[1] = vec2(mirrorballCapture_size.x, 0.0);
+    cover.corner[2] = vec2(0.0, mirrorballCapture_size.y);
+    cover.corner[3] = mirrorballCapture_size;
+    cover.count = 4;
 }
 
 // A triangle behind the map's plane, where the layer is an annulus of radius 1/2 sin(angle / 2): a box around the sector
@@ -66,5 +72,5 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
         covered = mirrorballCapture_coverSector(unit, edge, cover);
     // A loop of one turn, since software rasterisers skip loops that nobody enters.
     for (int turns = covered ? 0 : 1; turns > 0; --turns)
-        mirrorballCapture_coverStrips(view, vec3[4](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)), float[1](0.0), 0.0, 1.0, cover);
+        mirrorballCapture_coverLayer(cover);
 }

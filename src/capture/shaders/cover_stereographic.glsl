@@ -36,9 +36,10 @@ void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
     extent = 0.5 * range + 0.5;
 }
 
-float mirrorballCapture_departure(int view, vec3 edge, float width)
+// Either half of a circle bends one way.
+float mirrorballCapture_inflection(int view, vec3 edge, float at)
 {
-    return 9.0;
+    return -9.0;
 }
 
 void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 p[3], inout mirrorballCapture_Cover cover)

@@ -36,6 +36,8 @@ void mirrorballCapture_emit(int view, vec3 vertex[3], vec3 edge[3], vec4 plane)
     mirrorballCapture_Cover cover;
     mirrorballCapture_coverIn(view, vertex, inward, cover);
     for (int index = 0; index < cover.count; ++index) {
+        if ((index & 1) == 0 && (cover.breaks & (1 << (index / 2))) != 0)
+            EndPrimitive();
         mirrorballCapture_edge0 = edge[0];
         mirrorballCapture_edge1 = edge[1];
         mirrorballCapture_edge2 = edge[2];
