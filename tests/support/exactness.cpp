@@ -45,7 +45,7 @@ void compare(Exactness& result, const examples::Scene& scene, const glm::dvec3& 
     const double relative = shown.triangle && traced.triangle
                                 ? std::abs(shown.distance / traced.distance - 1.0)
                                 : std::numeric_limits<double>::infinity();
-    if (shown.triangle == traced.triangle || relative <= sameDistance) {
+    if (relative <= sameDistance) {
         result.worstDistance = std::max(result.worstDistance, relative);
         return;
     }

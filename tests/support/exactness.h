@@ -14,12 +14,12 @@ struct Exactness
 {
     std::size_t texels = 0;
     std::size_t shown = 0; // texels that show anything
-    // Texels with another surface than the trace: neither the triangle nor the distance is the same.
+    // Texels with another surface than the trace, by their distances: to 1e-4, relative.
     std::size_t wrong = 0;
     // Of these, those that lie more than 1e-5 rad from every edge of what is shown and of what is traced.
     std::size_t wrongFarOff = 0;
     std::size_t holes = 0;      // nothing shown where the trace hits something
-    double worstDistance = 0.0; // relative, over the texels that show the right surface
+    double worstDistance = 0.0; // relative, over the other texels
 
     double wrongPercent() const { return 100.0 * static_cast<double>(wrong) / static_cast<double>(texels); }
 };
