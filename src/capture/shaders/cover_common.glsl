@@ -149,7 +149,7 @@ vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORB
     vec2 low = extent.xx;
     vec2 high = extent.yy;
     // The last place was the middle; a thousandth of the layer is far beyond rounding.
-    clear = !corner && found.x > found.y + 1e-3;
+    clear = MIRRORBALL_WRAPS && !corner && found.x > found.y + 1e-3;
     // Any edge bounds the triangle: which one is taken matters only for how closely.
     if (binding.x >= 0) {
         vec2 line = mirrorballCapture_edgeLine(view, edge[binding.x], from, to, guard, 0, low);
@@ -160,7 +160,7 @@ vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORB
         high = line.x + line.y < high.x + high.y ? line : high;
     }
     // What lies beside the layer is left out; the rest is cut off by the rasteriser.
-    bool outside = extent.x > 1.0 || extent.y < 0.0 || extent.x > extent.y;
+    bool outside = extent.x > 1.0 || extent.y < 0.0 || extent.x > extent.y || clear;
 #if MIRRORBALL_OCTAHEDRAL
     vec2 octant = vec2(0.0, 1.0);
     mirrorballCapture_narrowToView(view, from, to, octant);
@@ -170,10 +170,11 @@ vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORB
     if (high.x == high.y)
         high = min(high, vec2(octant.y));
 #endif
-    // Where the bounds cross in the strip, at a corner of the triangle, exchanging them at the far end still covers it.
-    vec2 least = min(low, high);
-    vec2 most = max(low, high);
-    return outside ? vec4(20.0, -20.0, 20.0, -20.0) : vec4(least.x, most.x, least.y, most.y);
+    // Where the bounds cross in the strip, behind a corner of the triangle, any point between them ends it.
+    vec2 middle = 0.5 * (low + high);
+    low = min(low, middle);
+    high = max(high, middle);
+    return outside ? vec4(20.0, -20.0, 20.0, -20.0) : vec4(low.x, high.x, low.y, high.y);
 }
 
 // The borders of the strips between `first` and `last`: at the three vertices between them, so that few strips hold a
@@ -237,7 +238,7 @@ void mirrorballCapture_coverStrips(int view, vec3 edge[4], float events[MIRRORBA
             for (int index = 0; index < 2 * strip; ++index)
                 cover.corner[index] = low;
             seen = true;
-        } else if (MIRRORBALL_WRAPS && here.x <= here.y && before.x > before.y && gap) { // where it comes back
+        } else if (here.x <= here.y && before.x > before.y && gap) { // where it comes back
             low.MIRRORBALL_ALONG -= mirrorballCapture_guard;
             high.MIRRORBALL_ALONG -= mirrorballCapture_guard;
             cover.breaks |= 1 << strip;
