@@ -8,6 +8,8 @@
 
 #include <epoxy/gl.h>
 
+#include <glm/vec2.hpp>
+
 namespace mirrorball::capture {
 
 namespace {
@@ -121,6 +123,42 @@ void Copies::reduce(const MapTextures& from, const MapTextures& to, const MapSiz
         glUniform1i(location("layer"), layer);
         pass_.draw();
     }
+}
+
+void Copies::gatherNearest(const gl::Texture& distance, const MapSize& size, int level)
+{
+    if (!nearestOfBlock_) {
+        nearestOfBlock_ = link(shaders::copyNearest, "", "the nearest of many distances");
+        level_ = gl::Framebuffer::create();
+    }
+    makeShared();
+    glUseProgram(nearestOfBlock_.name());
+    const auto location = [&](const char* name) {
+        return glGetUniformLocation(nearestOfBlock_.name(), name);
+    };
+    glUniform1i(location("distances"), 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, distance.name());
+    glBindSampler(0, nearest_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, level_.name());
+    // In two stages, so that no fragment has to look at thousands of texels.
+    for (const glm::ivec2& stage : {glm::ivec2(0, level / 2), glm::ivec2(level / 2, level)}) {
+        if (stage.x == stage.y)
+            continue;
+        // Only the level that is read may be sampled while another one is drawn into.
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, stage.x);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, stage.x);
+        const glm::ivec2 to(size.width >> stage.y, size.height >> stage.y);
+        glUniform2i(location("size"), to.x, to.y);
+        glViewport(0, 0, to.x, to.y);
+        for (int layer = 0; layer < size.layers; ++layer) {
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, distance.name(), stage.y, layer);
+            glUniform1i(location("layer"), layer);
+            pass_.draw();
+        }
+    }
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, level);
 }
 
 void Copies::copySide(unsigned int texture, SideTarget target, const MapTextures& to, int layer,

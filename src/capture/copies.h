@@ -23,7 +23,7 @@ private:
 class Copies
 {
 public:
-    // Call both inside a StateGuard(0, 1) that is neutralised; they leave depth tests off.
+    // Call all inside a StateGuard(0, 1) that is neutralised; they leave depth tests off.
 
     // k × k samples of `from` become a texel of `to`: the mean colour, and the distance of the sample nearest
     // to the centre. size is that of `to`. k = 1 copies.
@@ -34,12 +34,17 @@ public:
     void copySide(unsigned int texture, SideTarget target, const MapTextures& to, int layer,
                   const MapSize& size);
 
+    // Fills a level of a distance texture, of so many layers, with the nearest distance of every block of
+    // texels; the levels between are not filled.
+    void gatherNearest(const gl::Texture& distance, const MapSize& size, int level);
+
 private:
     void makeShared();
 
-    gl::Program reduce_, copy2d_, copyRectangle_;
+    gl::Program reduce_, nearestOfBlock_, copy2d_, copyRectangle_;
     FullScreenPass pass_;
     gl::Sampler nearest_;
+    gl::Framebuffer level_;
 };
 
 // Binds a texture of the host's and checks what it is; `asked` names it in the Error badArgument. Levels

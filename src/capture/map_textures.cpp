@@ -12,13 +12,15 @@ namespace mirrorball::capture {
 
 namespace {
 
-gl::Texture makeLayers(const MapSize& size, GLenum internalFormat, GLenum format, GLenum filter)
+gl::Texture makeLayers(const MapSize& size, GLenum internalFormat, GLenum format, GLenum filter,
+                       int lastLevel = 0)
 {
     gl::Texture texture = gl::Texture::create();
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internalFormat), size.width, size.height,
-                 size.layers, 0, format, GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    for (int level = 0; level <= lastLevel; ++level)
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, static_cast<GLint>(internalFormat), size.width >> level,
+                     size.height >> level, size.layers, 0, format, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, lastLevel);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(filter));
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -109,11 +111,12 @@ gl::Texture makeDepth(const MapSize& size)
     return makeLayers(size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_NEAREST);
 }
 
-MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture* depth)
+MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture* depth,
+                            int lastDistanceLevel)
 {
     MapTextures result;
     result.colour = makeLayers(size, internalFormat(format), GL_RGBA, GL_LINEAR);
-    result.distance = makeLayers(size, GL_R32F, GL_RED, GL_NEAREST);
+    result.distance = makeLayers(size, GL_R32F, GL_RED, GL_NEAREST, lastDistanceLevel);
     attach(result, size, result.colour.name(), result.distance.name(), depth == nullptr ? 0 : depth->name());
     return result;
 }

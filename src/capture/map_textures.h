@@ -32,7 +32,8 @@ unsigned int internalFormat(ColourFormat format);
 // A depth texture with all layers, and textures that share it (none for nullptr). Bind nothing of the host's:
 // call inside a StateGuard.
 gl::Texture makeDepth(const MapSize& size);
-MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture* depth);
+MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture* depth,
+                            int lastDistanceLevel = 0);
 
 // Framebuffers around the host's textures; colour and distance stay empty.
 MapTextures borrowMapTextures(const MapSize& size, unsigned int colour, unsigned int distance);

@@ -19,6 +19,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
+#include <bit>
 #include <cmath>
 #include <string>
 
@@ -89,6 +90,13 @@ struct ReflectionProbe::Implementation
     bool touches(int view, const Sphere& bounds) const;
     bool touches(int view, const Box& bounds) const;
     bool isBorrowed() const { return desc.colourTexture != 0; }
+    // The level of the distances that has blocks a quarter of n wide, 22.5 degrees; 0 for none.
+    int nearestLevel() const
+    {
+        return isBorrowed()
+                   ? 0
+                   : std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(desc.n))) - 3, 0);
+    }
     bool isSupersampled() const { return desc.supersample > 1; }
     // What is drawn into now.
     const capture::MapTextures& target() const;
@@ -153,6 +161,7 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
                                                                          : capture::PastSeams::captured);
     filter();
     publish();
+    map.nearestLevel = 0; // until the first capture
 }
 
 void ReflectionProbe::Implementation::makeTextures()
@@ -163,10 +172,12 @@ void ReflectionProbe::Implementation::makeTextures()
     }
     depth = capture::makeDepth(drawSize);
     const gl::Texture* const depthOfTexels = isSupersampled() ? nullptr : &depth;
-    const auto make = [&] { return capture::makeMapTextures(size, desc.colour, depthOfTexels); };
-    front =
-        isBorrowed() ? capture::borrowMapTextures(size, desc.colourTexture, desc.distanceTexture) : make();
-    back = make();
+    const auto make = [&](int lastDistanceLevel = 0) {
+        return capture::makeMapTextures(size, desc.colour, depthOfTexels, lastDistanceLevel);
+    };
+    front = isBorrowed() ? capture::borrowMapTextures(size, desc.colourTexture, desc.distanceTexture)
+                         : make(nearestLevel());
+    back = make(nearestLevel());
     clear(front, size);
     if (isSupersampled())
         samples = capture::makeMapTextures(drawSize, desc.colour, &depth);
@@ -433,6 +444,7 @@ void ReflectionProbe::Implementation::publish()
            pose.worldFromProbe,
            hiddenFront.colour.name(),
            hiddenFront.distance.name()};
+    map.nearestLevel = nearestLevel();
     if (filtered)
         filtered.describeIn(map);
 }
@@ -528,17 +540,16 @@ CaptureReport ReflectionProbe::Implementation::fill(const std::function<void()>&
 
 void ReflectionProbe::Implementation::finish()
 {
-    std::optional<gl::StateGuard> guard;
-    if (isSupersampled() || isBorrowed() || filtered) {
-        guard.emplace(0, 2);
-        guard->neutralise(); // the callback may have changed anything
-        if (isSupersampled())
-            copies.reduce(samples, back, size, desc.supersample);
-        if (isSupersampled() && desc.layersOfDepth == 2)
-            copies.reduce(hiddenSamples, hiddenBack, size, desc.supersample);
-        if (isBorrowed())
-            copies.reduce(back, front, size, 1);
-    }
+    const gl::StateGuard guard(0, 2);
+    guard.neutralise(); // the callback may have changed anything
+    if (isSupersampled())
+        copies.reduce(samples, back, size, desc.supersample);
+    if (isSupersampled() && desc.layersOfDepth == 2)
+        copies.reduce(hiddenSamples, hiddenBack, size, desc.supersample);
+    if (nearestLevel() > 0)
+        copies.gatherNearest(back.distance, size, nearestLevel());
+    if (isBorrowed())
+        copies.reduce(back, front, size, 1);
     if (!isBorrowed())
         std::swap(front, back);
     std::swap(hiddenFront, hiddenBack);
@@ -598,6 +609,7 @@ void ReflectionProbe::takeOver(std::span<const unsigned int, 6> sides, SideTarge
     self.filter();
     self.publish();
     self.map.distanceTexture = self.map.hiddenColourTexture = self.map.hiddenDistanceTexture = 0;
+    self.map.nearestLevel = 0;
 }
 
 bool CaptureView::touches(const Sphere& bounds) const

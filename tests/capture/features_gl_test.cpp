@@ -10,7 +10,9 @@
 #include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -205,7 +207,7 @@ void checkBorrowed(const tests::SixWalls& walls, MapKind map, int supersample)
     desc.distanceTexture = array(GL_R32F, info.widthInN * n);
     {
         ReflectionProbe probe(desc);
-        CHECK(probe.map().colourTexture == desc.colourTexture);
+        CHECK(probe.map().colourTexture == desc.colourTexture && probe.map().nearestLevel == 0);
         CHECK(probe.map().distanceTexture == desc.distanceTexture);
         checkUnchanged([&] { capture(probe, walls); }, "a borrowed map");
         CHECK(sameBits(read(own.map()).colour, read(probe.map()).colour));
@@ -238,6 +240,44 @@ void checkBorrowed(const tests::SixWalls& walls, MapKind map, int supersample)
         glDeleteTextures(1, &texture);
 }
 
+// One level of the distances holds the nearest of each block, whether or not sizes divide.
+void checkNearest(const tests::SixWalls& walls, MapKind map, int size)
+{
+    ReflectionProbe::Desc desc = descOf(map);
+    desc.n = size;
+    ReflectionProbe probe(desc);
+    CHECK(probe.map().nearestLevel == 0); // nothing is known yet
+    checkUnchanged([&] { capture(probe, walls); }, "gathering the nearest");
+    const int level = probe.map().nearestLevel;
+    CHECK(level > 0);
+    const MapInfo& info = mapInfo(map);
+    const int width = info.widthInN * size, height = info.heightInN * size;
+    const int columns = width >> level, rows = height >> level;
+    CHECK(size >> level >= 4 && size >> level < 8);
+    for (int layer = 0; layer < info.components; ++layer) {
+        const auto all = tests::readTextureLayer(probe.map().distanceTexture, layer, width, height);
+        const auto nearest =
+            tests::readTextureLayer(probe.map().distanceTexture, layer, columns, rows, level);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const int block = y * rows / height * columns + x * columns / width;
+                CHECK(nearest[static_cast<std::size_t>(4 * block)] <=
+                      all[static_cast<std::size_t>(4 * (y * width + x))]);
+            }
+        // Where sizes divide, no block holds what is not in it.
+        for (int block = 0; size % 8 == 0 && block < columns * rows; ++block) {
+            float least = std::numeric_limits<float>::infinity();
+            for (int y = 0; y < height / rows; ++y)
+                for (int x = 0; x < width / columns; ++x)
+                    least = std::min(
+                        least,
+                        all[static_cast<std::size_t>(4 * ((block / columns * (height / rows) + y) * width +
+                                                          block % columns * (width / columns) + x))]);
+            CHECK(nearest[static_cast<std::size_t>(4 * block)] == least);
+        }
+    }
+}
+
 // Six sides with a colour of their own in every texel come back as they were.
 void checkTakenOver(GLenum target, tests::HostileState& hostile)
 {
@@ -256,7 +296,7 @@ void checkTakenOver(GLenum target, tests::HostileState& hostile)
     }
     checkUnchanged([&] { probe.takeOver(sides, kind); }, "taking over");
     CHECK(sameBits(read(probe.map()).colour, expected));
-    CHECK(probe.map().distanceTexture == 0);
+    CHECK(probe.map().distanceTexture == 0 && probe.map().nearestLevel == 0);
     for (const std::string& name : hostile.names()) {
         hostile.apply({name});
         checkUnchanged([&] { probe.takeOver(sides, kind); }, name.c_str());
@@ -305,6 +345,8 @@ int main(int argc, char** argv)
     for (const MapInfo& info : maps()) {
         if (!only.empty() && info.name != only)
             continue;
+        for (const int size : {16, 32, 45})
+            checkNearest(walls, info.kind, size);
         checkSupersampling(walls, info.kind, info.components == 1 ? 4 : 3);
         checkViews(walls, info.kind, LayerOrder::oneAtATime);
         checkViews(walls, info.kind, LayerOrder::allAtOnce);

@@ -56,7 +56,23 @@ void testRoom()
         CHECK(errors.distance.psnr >= errors.infinite.psnr + 8.0);
         // What is left is mostly the edges of things, a texel wide in the map; the tennis-ball map's texels are
         // the smallest.
-        CHECK(errors.layered.psnr >= errors.infinite.psnr + (map == MapKind::tennisBall ? 11.0 : 8.0));
+        CHECK(errors.layered.psnr >= errors.infinite.psnr + (map == MapKind::tennisBall ? 12.0 : 9.0));
+    }
+}
+
+// A room of the house: much hides behind much. 2 % and 0.5 % of wrong pixels are out of reach there: 3.0 % mirror what
+// the first surfaces hide, 0.5 % what two do, and 0.4 % lie within a texel of an edge.
+void testHouse()
+{
+    for (const char* const eye : {"8.8,1.4,-1", "11.4,1.75,-0.7"}) {
+        const Judged errors =
+            judged({"/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc", "--reflector", "sphere:0.5", "--at",
+                    "9.8,1.1,-1.9", "--eye", eye, "--pixels", "320x180"});
+        checkNeverWorse(errors);
+        CHECK(errors.distance.mean <= 0.13 && errors.layered.mean <= 0.08);
+        CHECK(errors.distance.wrongPercent <= 3.6 && errors.layered.wrongPercent <= 2.3);
+        CHECK(errors.distance.psnr >= errors.infinite.psnr + 7.5);
+        CHECK(errors.layered.psnr >= errors.infinite.psnr + 8.5);
     }
 }
 
@@ -100,6 +116,7 @@ int main(int argc, char** argv)
         return 0;
     }
     testRoom();
+    testHouse();
     testElsewhere();
     testUselessProxies();
     return 0;

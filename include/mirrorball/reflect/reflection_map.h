@@ -23,6 +23,9 @@ struct ReflectionMap
     // own directions: filtering crosses no border. 0 if there is none.
     unsigned int filteredColourTexture = 0;
     glm::vec4 filteredFromSquare{1.0f, 1.0f, 0.0f, 0.0f}; // its coordinates: xy times (u, v) plus zw
+    // Of distanceTexture: a texel there holds the nearest distance of a block of them, so that a march knows
+    // where it may begin; 0 if there is no such level.
+    int nearestLevel = 0;
 };
 
 } // namespace mirrorball

@@ -4,121 +4,127 @@
 // and the point of the ray in direction v lies at 1 / radius = (1 - s) / (|position| |v|). A plane's 1 / radius times
 // |v| is linear in v. So regula falsi finds a plane in one step, however far it is, and nothing beyond the march's
 // end is left out.
+uniform float mirrorball_nearestLevel; // of the distances: there a texel holds the nearest of a block; 0 for none
 #if MIRRORBALL_LAYERED
-const int mirrorball_steps = 24; // of the march; what is thinner than one may be missed
+const int mirrorball_steps = 36; // of the march; what is thinner than one may be missed
 #else
-const int mirrorball_steps = 8;
+const int mirrorball_steps = 14;
 #endif
-const int mirrorball_refinements = 4;  // of one crossing
-const int mirrorball_hiddenSteps = 16; // of the march behind an edge
-const int mirrorball_halvings = 6;     // of a crossing there
-// A ray that is found this much of the distance behind a surface has not met it but slipped behind its edge.
-const float mirrorball_slip = 0.05;
-// In place of how far the ray is behind a second surface that was not captured: behind it as well.
-const float mirrorball_unknown = 1e30;
+const int mirrorball_refinements = 6; // of one crossing: three of them halve the interval, to a few texels at most
+// Parts of the distance. So close to a surface a point lies on it; what is found farther behind it has not met it but
+// slipped behind its edge.
+const float mirrorball_close = 0.005;
+const float mirrorball_slip = 0.03;
 
-// |v| / distance of what is seen in direction v; 0 where that is nothing.
-float mirrorball_nearness(sampler2DArray distances, vec3 coordinate, float size)
+struct mirrorball_Ray
 {
-    float radius = textureLod(distances, coordinate, 0.0).r;
-    return radius > 0.0 ? size / radius : 0.0;
+    vec3 start, towards; // p and d
+    float inverse;       // 1 / |position|
+};
+
+vec3 mirrorball_at(mirrorball_Ray ray, float s)
+{
+    return mix(ray.start, ray.towards, s);
 }
 
-// How far the ray is behind the first and the second surface in the same direction: below 0 while in front.
-float mirrorball_behindFirst(vec3 v, float inverse)
+// How far the ray is behind a surface in the same direction, as a difference of |v| / distance: below 0 while in front.
+// What nothing was captured of is infinitely far.
+float mirrorball_behind(sampler2DArray distances, mirrorball_Ray ray, float s)
 {
-    vec3 coordinate = mirrorball_regular_coordinateFromDirection(v);
-    return mirrorball_nearness(mirrorball_distanceMap, coordinate, length(v)) - inverse;
+    vec3 v = mirrorball_at(ray, s);
+    float radius = textureLod(distances, mirrorball_regular_coordinateFromDirection(v), 0.0).r;
+    return (radius > 0.0 ? length(v) / radius : 0.0) - (1.0 - s) * ray.inverse;
 }
 
-vec2 mirrorball_behind(vec3 v, float inverse)
+// The nearest distance around the direction at one place.
+float mirrorball_nearestAround(mirrorball_Ray ray, float s)
 {
-    vec3 coordinate = mirrorball_regular_coordinateFromDirection(v);
-    float size = length(v);
-#if MIRRORBALL_LAYERED
-    float nearness = mirrorball_nearness(mirrorball_hiddenDistanceMap, coordinate, size);
-    float second = nearness > 0.0 ? nearness - inverse : mirrorball_unknown;
-#else
-    float second = mirrorball_unknown;
-#endif
-    return vec2(mirrorball_nearness(mirrorball_distanceMap, coordinate, size) - inverse, second);
+    vec3 coordinate = mirrorball_regular_coordinateFromDirection(mirrorball_at(ray, s));
+    return textureLod(mirrorball_distanceMap, coordinate, mirrorball_nearestLevel).r;
 }
 
-// Goes on from `high`, just behind an edge, where both surfaces may be ahead or behind: w is the layer of depth. Where
-// nothing is found it stays at `low`, just before the edge.
-vec4 mirrorball_behindEdge(vec3 start, vec3 towards, float inverse, float low, float high)
+// Where the march begins: ahead of there nothing is nearer than the ray has come. Blocks are so wide that three places
+// see almost all that the ray sweeps over; what the second turn finds ahead of the first one's place is farther still.
+float mirrorball_firstPlace(mirrorball_Ray ray)
 {
-    float from = high;
-    vec2 before = mirrorball_behind(mix(start, towards, from), (1.0 - from) * inverse);
-    float previous = from;
-    for (int step = 1; step <= mirrorball_hiddenSteps; ++step) {
-        float next = mix(from, 1.0, float(step) / float(mirrorball_hiddenSteps));
-        vec2 after = mirrorball_behind(mix(start, towards, next), (1.0 - next) * inverse);
-        bool front = before.x < 0.0;
-        if (before.y < 0.0 && after.y >= 0.0 || front && after.x >= 0.0) {
-            float near = previous;
-            float far = next;
-            vec2 here = after;
-            for (int count = 0; count < mirrorball_halvings; ++count) {
-                float middle = 0.5 * (near + far);
-                vec2 between = mirrorball_behind(mix(start, towards, middle), (1.0 - middle) * inverse);
-                if (between.x < 0.0 || !front && between.y < 0.0) {
-                    near = middle;
-                } else {
-                    far = middle;
-                    here = between;
-                }
-            }
-            float tolerance = mirrorball_slip * (1.0 - far) * inverse;
-            if (here.x <= tolerance)
-                return vec4(mix(start, towards, far), 0.0);
-            if (here.y >= 0.0 && here.y <= tolerance)
-                return vec4(mix(start, towards, far), 1.0);
+    float place = 0.0;
+    float atEnd = min(mirrorball_nearestAround(ray, 1.0), 1e6 / ray.inverse);
+    for (int turns = mirrorball_nearestLevel > 0.0 ? 2 : 0; turns > 0; --turns) {
+        float nearest = min(mirrorball_nearestAround(ray, mix(place, 1.0, 0.4)), atEnd);
+        // |p + x d| = nearest / |position| at x = s / (1 - s), and a little before, to be in front of it.
+        float size = max((1.0 - 2.0 * mirrorball_close) * nearest * ray.inverse, 1.0);
+        float cosine = dot(ray.start, ray.towards);
+        float x = max(sqrt(cosine * cosine + size * size - 1.0) - cosine, 0.0);
+        place = x / (1.0 + x);
+    }
+    return place;
+}
+
+// Narrows an interval from in front of a surface to behind it, as `front` and `back` tell; whether the ray meets the
+// surface there, at y.
+bool mirrorball_meets(sampler2DArray distances, mirrorball_Ray ray, float front, float back, inout vec2 interval)
+{
+    bool crosses = front < 0.0 && back >= 0.0;
+    for (int count = crosses ? mirrorball_refinements : 0; count > 0; --count) {
+        // Regula falsi, for planes, and halving, for edges, in turn.
+        float part = (count & 1) == 0 ? front / (front - back) : 0.5;
+        float s = mix(interval.x, interval.y, part);
+        float here = mirrorball_behind(distances, ray, s);
+        bool isClose = abs(here) <= mirrorball_close * (1.0 - s) * ray.inverse;
+        if (here < 0.0 && !isClose) {
+            interval.x = s;
+            front = here;
+        } else {
+            interval.y = s;
+            back = here;
         }
+        if (isClose)
+            break;
+    }
+    return crosses && back <= mirrorball_slip * (1.0 - interval.y) * ray.inverse;
+}
+
+// w of the answer is the layer of depth. A ray that meets nothing shows the last direction in front of an edge.
+vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
+{
+    mirrorball_Ray ray;
+    ray.start = mirrorball_mapFromWorld * (positionInWorld - mirrorball_centreInWorld);
+    ray.towards = normalize(mirrorball_mapFromWorld * directionInWorld);
+    ray.inverse = 1.0 / max(length(ray.start), 1e-30);
+    ray.start *= ray.inverse;
+
+    float first = mirrorball_firstPlace(ray);
+    float before = mirrorball_behind(mirrorball_distanceMap, ray, first);
+    // Behind something narrow between the places asked: from the start, which is in front of everything.
+    bool isLate = before >= 0.0;
+    first = isLate ? 0.0 : first;
+    before = isLate ? -ray.inverse : before;
+    float previous = first;
+    vec4 shown = vec4(ray.towards, 0.0);
+    bool found = false;
+    for (int step = 1; step <= mirrorball_steps && !found; ++step) {
+        // Denser towards the end: half as far from it, surfaces are twice as far away.
+        float remaining = 1.0 - float(step) / float(mirrorball_steps);
+        float next = 1.0 - (1.0 - first) * remaining * remaining;
+        float after = mirrorball_behind(mirrorball_distanceMap, ray, next);
+        // Loops of one turn, since software rasterisers skip loops that nobody enters and walk through both sides of an if.
+        for (int turns = before < 0.0 && after >= 0.0 ? 1 : 0; turns > 0; --turns) {
+            vec2 interval = vec2(previous, next);
+            found = mirrorball_meets(mirrorball_distanceMap, ray, before, after, interval);
+            shown = vec4(mirrorball_at(ray, found ? interval.y : interval.x), 0.0);
+        }
+#if MIRRORBALL_LAYERED
+        // Only what is behind the first surface can be behind the second; nothing is known of what would be infinitely far.
+        for (int turns = after >= 0.0 && next < 1.0 && !found ? 1 : 0; turns > 0; --turns) {
+            vec2 interval = vec2(previous, next);
+            float front = mirrorball_behind(mirrorball_hiddenDistanceMap, ray, previous);
+            float back = mirrorball_behind(mirrorball_hiddenDistanceMap, ray, next);
+            found = mirrorball_meets(mirrorball_hiddenDistanceMap, ray, front, back, interval);
+            shown = found ? vec4(mirrorball_at(ray, interval.y), 1.0) : shown;
+        }
+#endif
         before = after;
         previous = next;
     }
-    return vec4(mix(start, towards, low), 0.0);
-}
-
-vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
-{
-    vec3 start = mirrorball_mapFromWorld * (positionInWorld - mirrorball_centreInWorld);
-    vec3 towards = normalize(mirrorball_mapFromWorld * directionInWorld);
-    float inverse = 1.0 / max(length(start), 1e-30);
-    start *= inverse;
-
-    float low = 0.0;
-    float high = 0.0;
-    float before = -1.0;
-    float after = mirrorball_behindFirst(start, inverse);
-    for (int step = 1; step <= mirrorball_steps; ++step) {
-        low = high;
-        before = after;
-        high = float(step) / float(mirrorball_steps);
-        after = mirrorball_behindFirst(mix(start, towards, high), (1.0 - high) * inverse);
-        if (before < 0.0 && after >= 0.0)
-            break;
-    }
-    if (!(before < 0.0))
-        return vec4(towards, 0.0);
-    float s = high;
-    float here = after;
-    for (int count = 0; count < mirrorball_refinements; ++count) {
-        s = low + (high - low) * before / (before - after);
-        here = mirrorball_behindFirst(mix(start, towards, s), (1.0 - s) * inverse);
-        if (here < 0.0) {
-            low = s;
-            before = here;
-        } else {
-            high = s;
-            after = here;
-        }
-    }
-    // A loop of one turn, since software rasterisers skip loops that nobody enters and walk through both sides of an if.
-    vec4 shown = vec4(mix(start, towards, s), 0.0);
-    for (int turns = here > mirrorball_slip * (1.0 - s) * inverse ? 1 : 0; turns > 0; --turns)
-        shown = mirrorball_behindEdge(start, towards, inverse, low, high);
     return shown;
 }
-

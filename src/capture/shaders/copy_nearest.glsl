@@ -1,0 +1,17 @@
+// A level of a distance texture from a finer one: of every block of texels the nearest.
+uniform sampler2DArray distances; // its base level is the finer one
+uniform ivec2 size;               // of the level that is drawn into
+uniform int layer;
+out float nearest;
+
+void main()
+{
+    ivec2 from = textureSize(distances, 0).xy;
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    ivec2 first = texel * from / size;
+    ivec2 end = ((texel + 1) * from + size - 1) / size; // rounded up: blocks overlap where sizes do not divide
+    nearest = uintBitsToFloat(0x7f800000u);
+    for (int y = first.y; y < end.y; ++y)
+        for (int x = first.x; x < end.x; ++x)
+            nearest = min(nearest, texelFetch(distances, ivec3(x, y, layer), 0).r);
+}
