@@ -43,14 +43,17 @@ float mirrorball_nearestAround(mirrorball_Ray ray, float s)
     return textureLod(mirrorball_distanceMap, coordinate, mirrorball_nearestLevel).r;
 }
 
-// Where the march begins: ahead of there nothing is nearer than the ray has come. Blocks are so wide that three places
-// see almost all that the ray sweeps over; what the second turn finds ahead of the first one's place is farther still.
+// Where the march begins: ahead of there nothing is nearer than the ray has come. Blocks are so wide that the end of the
+// sweep and a place or two before see almost all of it; the second turn asks again ahead of the first one's place.
 float mirrorball_firstPlace(mirrorball_Ray ray)
 {
     float place = 0.0;
     float atEnd = min(mirrorball_nearestAround(ray, 1.0), 1e6 / ray.inverse);
     for (int turns = mirrorball_nearestLevel > 0.0 ? 2 : 0; turns > 0; --turns) {
         float nearest = min(mirrorball_nearestAround(ray, mix(place, 1.0, 0.4)), atEnd);
+#if MIRRORBALL_LAYERED
+        nearest = min(mirrorball_nearestAround(ray, place), nearest);
+#endif
         // |p + x d| = nearest / |position| at x = s / (1 - s), and a little before, to be in front of it.
         float size = max((1.0 - 2.0 * mirrorball_close) * nearest * ray.inverse, 1.0);
         float cosine = dot(ray.start, ray.towards);
