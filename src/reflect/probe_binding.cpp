@@ -63,7 +63,7 @@ struct ProbeBinding::Implementation
     unsigned int program;
     int firstUnit, units;
     std::string prefix;
-    gl::Sampler filtered, linear, nearest, levels;
+    gl::Sampler filtered, linear, nearest;
     float mostAnisotropy; // 1: not asked for, or the driver has none
 
     int location(const char* name) const { return glGetUniformLocation(program, (prefix + name).c_str()); }
@@ -102,10 +102,10 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
                         std::to_string(firstUnit + units - 1) + " do not lie within the driver's " +
                         std::to_string(limit),
                     "name another first unit");
-    implementation_ = std::make_unique<Implementation>(Implementation{
-        program, firstUnit, units, std::move(prefix), makeSampler(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR),
-        makeSampler(GL_LINEAR, GL_LINEAR), makeSampler(GL_NEAREST, GL_NEAREST),
-        makeSampler(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST), isAnisotropic ? mostAnisotropy() : 1.0f});
+    implementation_ = std::make_unique<Implementation>(
+        Implementation{program, firstUnit, units, std::move(prefix),
+                       makeSampler(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR), makeSampler(GL_LINEAR, GL_LINEAR),
+                       makeSampler(GL_NEAREST, GL_NEAREST), isAnisotropic ? mostAnisotropy() : 1.0f});
 }
 
 ProbeBinding::~ProbeBinding() = default;
@@ -122,7 +122,7 @@ void ProbeBinding::Implementation::setUniforms(const ReflectionMap& map,
     glUniform1i(location("distanceMap"), firstUnit + 1);
     glUniform1i(location("hiddenColourMap"), firstUnit + 2);
     glUniform1i(location("hiddenDistanceMap"), firstUnit + 3);
-    glUniform1f(location("nearestLevel"), static_cast<float>(map.nearestLevel));
+    glUniform1i(location("nearestLevel"), map.nearestLevel);
     const glm::mat3 probeFromWorld(glm::transpose(glm::dmat3(map.worldFromProbe))); // a rotation
     const glm::mat3 mapFromWorld = probeFromWorld * settings.probeFromWorld;
     glUniformMatrix3fv(location("mapFromWorld"), 1, GL_FALSE, glm::value_ptr(mapFromWorld));
@@ -171,8 +171,7 @@ ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialS
         isFiltered(map, settings) ? map.filteredColourTexture : map.colourTexture, map.distanceTexture,
         map.hiddenColourTexture, map.hiddenDistanceTexture};
     // Around what is hidden there is nothing: filtering would mix it in.
-    const gl::Sampler& distanceSampler = map.nearestLevel > 0 ? self.levels : self.nearest;
-    const unsigned int samplers[mostUnits] = {self.colourSampler(map, settings), distanceSampler.name(),
+    const unsigned int samplers[mostUnits] = {self.colourSampler(map, settings), self.nearest.name(),
                                               self.nearest.name(), self.nearest.name()};
     for (int unit = 0; unit < self.units; ++unit) {
         const auto index = static_cast<GLuint>(self.firstUnit + unit);

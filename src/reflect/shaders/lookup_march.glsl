@@ -4,11 +4,11 @@
 // and the point of the ray in direction v lies at 1 / radius = (1 - s) / (|position| |v|). A plane's 1 / radius times
 // |v| is linear in v. So regula falsi finds a plane in one step, however far it is, and nothing beyond the march's
 // end is left out.
-uniform float mirrorball_nearestLevel; // of the distances: there a texel holds the nearest of a block; 0 for none
+uniform int mirrorball_nearestLevel; // of the distances: there a texel holds the nearest of a block; 0 for none
 #if MIRRORBALL_LAYERED
-const int mirrorball_steps = 36; // of the march; what is thinner than one may be missed
+const int mirrorball_steps = 48; // of the march; what is thinner than one may be missed
 #else
-const int mirrorball_steps = 14;
+const int mirrorball_steps = 20;
 #endif
 const int mirrorball_refinements = 6; // of one crossing: three of them halve the interval, to a few texels at most
 // Parts of the distance. So close to a surface a point lies on it; what is found farther behind it has not met it but
@@ -40,20 +40,20 @@ float mirrorball_behind(sampler2DArray distances, mirrorball_Ray ray, float s)
 float mirrorball_nearestAround(mirrorball_Ray ray, float s)
 {
     vec3 coordinate = mirrorball_regular_coordinateFromDirection(mirrorball_at(ray, s));
-    return textureLod(mirrorball_distanceMap, coordinate, mirrorball_nearestLevel).r;
+    ivec2 size = textureSize(mirrorball_distanceMap, mirrorball_nearestLevel).xy;
+    ivec3 texel = ivec3(clamp(ivec2(coordinate.xy * vec2(size)), ivec2(0), size - 1), int(coordinate.z));
+    return texelFetch(mirrorball_distanceMap, texel, mirrorball_nearestLevel).r;
 }
 
-// Where the march begins: ahead of there nothing is nearer than the ray has come. Blocks are so wide that the end of the
-// sweep and a place or two before see almost all of it; the second turn asks again ahead of the first one's place.
+// Where the march begins: ahead of there nothing is nearer than the ray has come. Blocks are so wide that the ends of
+// the sweep and a place between see almost all of it; the second turn asks again ahead of the first one's place.
 float mirrorball_firstPlace(mirrorball_Ray ray)
 {
     float place = 0.0;
     float atEnd = min(mirrorball_nearestAround(ray, 1.0), 1e6 / ray.inverse);
-    for (int turns = mirrorball_nearestLevel > 0.0 ? 2 : 0; turns > 0; --turns) {
-        float nearest = min(mirrorball_nearestAround(ray, mix(place, 1.0, 0.4)), atEnd);
-#if MIRRORBALL_LAYERED
-        nearest = min(mirrorball_nearestAround(ray, place), nearest);
-#endif
+    for (int turns = mirrorball_nearestLevel > 0 ? 2 : 0; turns > 0; --turns) {
+        float nearest = min(mirrorball_nearestAround(ray, place), mirrorball_nearestAround(ray, mix(place, 1.0, 0.4)));
+        nearest = min(nearest, atEnd);
         // |p + x d| = nearest / |position| at x = s / (1 - s), and a little before, to be in front of it.
         float size = max((1.0 - 2.0 * mirrorball_close) * nearest * ray.inverse, 1.0);
         float cosine = dot(ray.start, ray.towards);
