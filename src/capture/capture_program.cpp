@@ -145,7 +145,12 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
     const bool tennisBall = variant.map == MapKind::tennisBall || variant.map == MapKind::tennisBallEven;
     const bool textbook = variant.depthTerm == DepthTerm::textbook;
     const bool wraps = variant.map == MapKind::equirectangular || variant.map == MapKind::sphereMap;
+    // A view's matrices come alone where views are drawn one at a time: software rasterisers fetch from an array
+    // at an index that is not a constant for each vertex anew.
+    const bool together = variant.layers == LayerOrder::allAtOnce;
     return define("VIEWS", std::to_string(viewCount(variant.map))) +
+           define("SLOTS", std::to_string(viewsAtOnce(variant))) +
+           define("SLOT(view)", std::string(together ? "(view)" : "0")) +
            define("CORNERS", std::to_string(corners)) +
            define("VERTICES", std::to_string(corners * viewsAtOnce(variant))) +
            define("STRIPS", std::to_string(corners / 2 - 1)) +
@@ -157,11 +162,11 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("OCTAHEDRAL", variant.map == MapKind::octahedral) +
            define("TEXTBOOK_TENNIS_BALL", textbook && tennisBall) +
            define("TEXTBOOK_DUAL_PARABOLOID", textbook && variant.map == MapKind::dualParaboloid) +
-           define("CLIPS_RANGE", variant.path == Path::linear) +
+           define("CLIPS_RANGE", variant.path == Path::linear && !variant.withinRange) +
            define("DROPS_SMEAR", variant.path == Path::textbook && wraps) +
            define("PERSPECTIVE", variant.path == Path::mapped || variant.path == Path::tessellated) +
-           define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", variant.layers == LayerOrder::allAtOnce) +
-           define("PEELS", variant.peels) + coverDefines(variant.map);
+           define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", together) + define("PEELS", variant.peels) +
+           coverDefines(variant.map);
 }
 
 // The texts of one capture program, put together around the host's.

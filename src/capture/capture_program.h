@@ -30,8 +30,9 @@ struct Variant
     Path path;
     LayerOrder layers;
     DepthTerm depthTerm;
-    bool large;         // exact: of triangles that span many degrees, worth a closely fitting polygon each
-    bool peels = false; // draws only what lies behind the first layer of depth; one view at a time
+    bool large; // exact: of triangles that span many degrees, worth a closely fitting polygon each
+    bool withinRange = false; // linear: no part of the mesh is nearer than near or beyond far
+    bool peels = false;       // draws only what lies behind the first layer of depth; one view at a time
 
     auto operator<=>(const Variant&) const = default;
 };

@@ -2,11 +2,12 @@
 
 #include "capture/capture_program.h"
 #include "capture/copies.h"
-#include "capture/error_law.h"
 #include "capture/filtered_map.h"
+#include "capture/frame.h"
 #include "capture/layer_check.h"
 #include "capture/map_textures.h"
 #include "capture/pose.h"
+#include "capture/uniforms.h"
 #include "capture/views.h"
 #include "gl/context.h"
 #include "gl/state_guard.h"
@@ -30,25 +31,7 @@ namespace {
 using capture::LinkedProgram;
 using capture::MapSize;
 using capture::Path;
-using capture::Pose;
 using capture::rigidPose;
-
-bool hasClipControl()
-{
-    return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
-}
-
-// Depth is 1 at near and 0 at far, linear in 1 / w: floats are dense towards 0, so that the relative
-// precision is the same at every distance. Returns (a, b) of z = a * w + b in clip space, where w is the
-// radial distance (or the homogeneous coordinate of a linear view).
-glm::dvec2 reversedDepth(double near, double far, bool zeroToOne)
-{
-    const double inverseFar = 1.0 / far; // 0 for an infinite far
-    const double b = 1.0 / (1.0 / near - inverseFar);
-    const double a = -b * inverseFar;
-    // Without clip control z runs from -1 to 1 in OpenGL's own way, and some of the precision is lost.
-    return zeroToOne ? glm::dvec2(a, b) : glm::dvec2(2.0 * a - 1.0, 2.0 * b);
-}
 
 // True while it lives.
 struct RaisedFlag
@@ -65,8 +48,7 @@ struct RaisedFlag
 struct ReflectionProbe::Implementation
 {
     Desc desc;
-    Pose pose{};
-    float near = 0.0f;
+    capture::Frame frame;
     MapSize size{};     // of a layer
     MapSize drawSize{}; // the same in samples
     gl::Texture depth;
@@ -83,12 +65,10 @@ struct ReflectionProbe::Implementation
     CaptureReport report;
 
     explicit Implementation(const Desc& given);
-    void checkRange();
     void place();
+    // As the next capture would see it, or as the one under way does.
+    capture::Frame current() const { return capturing ? frame : capture::Frame(desc); }
     void clear(const capture::MapTextures& textures, const MapSize& viewport) const;
-    glm::dmat4 probeFromWorld() const; // from positions relative to captureOrigin
-    bool touches(int view, const Sphere& bounds) const;
-    bool touches(int view, const Box& bounds) const;
     bool isBorrowed() const { return desc.colourTexture != 0; }
     // The level of the distances that has blocks a quarter of n wide, 22.5 degrees; 0 for none.
     int nearestLevel() const
@@ -110,19 +90,15 @@ struct ReflectionProbe::Implementation
     bool fitsAtOnce(const CaptureMesh& mesh) const;
     // Everything that may fail in a capture, before the state is touched.
     void compile(std::span<const CaptureMesh> meshes);
-    capture::Variant variantOf(const CaptureMesh& mesh, int view) const;
     unsigned int use(const CaptureMesh& mesh, int view);
     unsigned int primitive() const;
-    void setUniforms(const LinkedProgram& linked, int view) const;
     void bindFirstLayer() const;
     void publish();
 };
 
-ReflectionProbe::Implementation::Implementation(const Desc& given)
-    : desc(given), pose(rigidPose(given.worldFromProbe))
+ReflectionProbe::Implementation::Implementation(const Desc& given) : desc(given), frame(desc)
 {
     capture::requireFinite(desc.captureOrigin, "a capture origin");
-    checkRange();
     gl::requireContext();
     capture::requireMapSize(desc.map, desc.n, desc.supersample);
     if ((desc.colourTexture == 0) != (desc.distanceTexture == 0))
@@ -199,62 +175,6 @@ const capture::MapTextures& ReflectionProbe::Implementation::target() const
     return peeling ? hiddenBack : back;
 }
 
-void ReflectionProbe::Implementation::checkRange()
-{
-    if (!(desc.halfExtent >= 0.0) || !std::isfinite(desc.halfExtent))
-        throw Error(ErrorKind::badArgument, "a probe's half extent",
-                    "it is " + std::to_string(desc.halfExtent), "give a finite number that is not negative");
-    near = desc.near ? *desc.near : static_cast<float>(desc.halfExtent * pose.scale);
-    const std::string found = "near is " + std::to_string(near) + " and far is " + std::to_string(desc.far);
-    if (!(near > 0.0f) || !std::isfinite(near) || !(desc.far > near))
-        throw Error(ErrorKind::badArgument, "the range of a probe", found, "give 0 < near < far");
-}
-
-glm::dmat4 ReflectionProbe::Implementation::probeFromWorld() const
-{
-    glm::dmat4 relative = pose.worldFromProbe;
-    relative[3] = glm::dvec4(glm::dvec3(relative[3]) - desc.captureOrigin, 1.0);
-    return glm::inverse(relative);
-}
-
-bool ReflectionProbe::Implementation::touches(int view, const Sphere& bounds) const
-{
-    const glm::dvec3 centre(probeFromWorld() * glm::dvec4(glm::dvec3(bounds.centre), 1.0));
-    const double distance = glm::length(centre);
-    // The host's bounds and vertices are floats: allow for the rounding of both.
-    const double radius = static_cast<double>(bounds.radius) * (1.0 + 1e-5) + distance * 1e-6;
-    if (std::isnan(distance) || std::isnan(radius))
-        return true;
-    if (distance + radius < static_cast<double>(near) || distance - radius > static_cast<double>(desc.far))
-        return false;
-    return capture::viewTouches(desc.map, view, centre, radius);
-}
-
-bool ReflectionProbe::Implementation::touches(int view, const Box& bounds) const
-{
-    // Spheres around parts of a box fit closely where one around a long or flat box would not.
-    constexpr double partsAlongLongest = 8.0;
-    const glm::dvec3 low(bounds.low), extent = glm::dvec3(bounds.high) - low;
-    const double longest = std::max({extent.x, extent.y, extent.z});
-    if (!(std::min({extent.x, extent.y, extent.z}) >= 0.0) || !std::isfinite(longest))
-        return true; // no box: nothing is known
-    glm::ivec3 parts(1);
-    for (int axis = 0; axis < 3 && longest > 0.0; ++axis)
-        parts[axis] = std::max(1, static_cast<int>(std::ceil(extent[axis] * partsAlongLongest / longest)));
-    const glm::dvec3 part = extent / glm::dvec3(parts);
-    for (int x = 0; x < parts.x; ++x)
-        for (int y = 0; y < parts.y; ++y)
-            for (int z = 0; z < parts.z; ++z) {
-                const glm::dvec3 centre = low + part * (glm::dvec3(x, y, z) + 0.5);
-                // The centre is rounded to float: half an ulp of it, in three coordinates.
-                const double rounding = 1.1e-7 * glm::length(centre);
-                const double radius = (0.5 * glm::length(part) + rounding) * (1.0 + 1e-6);
-                if (touches(view, Sphere{glm::vec3(centre), static_cast<float>(radius)}))
-                    return true;
-            }
-    return false;
-}
-
 void ReflectionProbe::Implementation::clear(const capture::MapTextures& textures,
                                             const MapSize& viewport) const
 {
@@ -267,71 +187,6 @@ void ReflectionProbe::Implementation::clear(const capture::MapTextures& textures
     glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-void ReflectionProbe::Implementation::setUniforms(const LinkedProgram& linked, int view) const
-{
-    const glm::mat4 matrix(probeFromWorld());
-    glUniformMatrix4fv(linked.probeFromWorld, 1, GL_FALSE, glm::value_ptr(matrix));
-    glUniform1i(linked.view, view);
-    glUniform2f(linked.range, near, desc.far);
-    glUniform2f(linked.size, static_cast<float>(drawSize.width), static_cast<float>(drawSize.height));
-
-    if (linked.firstDistance >= 0) {
-        glUniform1i(linked.firstDistance, peelUnit);
-        glUniform1i(linked.layer, capture::layerOfView(desc.map, view));
-        glUniform1f(linked.separation, desc.layerSeparation);
-    }
-
-    const capture::LinearRange reach = capture::isPiecewiseLinear(desc.map) ? capture::linearRange(desc.map)
-                                                                            : capture::LinearRange{1.0, 1.0};
-    const bool zeroToOne = linked.writesDepth || hasClipControl();
-    const glm::dvec2 depthTerms = reversedDepth(static_cast<double>(near) * reach.smallest,
-                                                static_cast<double>(desc.far) * reach.largest, zeroToOne);
-    glUniform2f(linked.depth, static_cast<float>(depthTerms.x), static_cast<float>(depthTerms.y));
-    if (!capture::hasLinearViews(desc.map))
-        return;
-    const int views = capture::viewCount(desc.map);
-    std::vector<glm::mat3> clip, line, inward;
-    for (int index = 0; index < views; ++index) {
-        const capture::LinearView linear = capture::linearView(desc.map, index);
-        clip.push_back(linear.clipFromDirection);
-        line.push_back(linear.lineFromDirection);
-        inward.push_back(linear.inwardPlanes);
-    }
-    glUniformMatrix3fv(linked.clipFromDirection, views, GL_FALSE, glm::value_ptr(clip[0]));
-    glUniformMatrix3fv(linked.lineFromDirection, views, GL_FALSE, glm::value_ptr(line[0]));
-    glUniformMatrix3fv(linked.inwardPlanes, views, GL_FALSE, glm::value_ptr(inward[0]));
-}
-
-capture::Variant ReflectionProbe::Implementation::variantOf(const CaptureMesh& mesh, int view) const
-{
-    capture::Variant variant{desc.map, Path::exact, view < 0 ? LayerOrder::allAtOnce : LayerOrder::oneAtATime,
-                             desc.depthTerm, true};
-    variant.peels = peeling;
-    // Triangles that span less than this are nearly straight on the map, and a simple polygon covers each
-    // closely.
-    constexpr double largeSpan = 0.45;
-    capture::MeshBounds seen{};
-    if (mesh.bounds) {
-        seen = {glm::dvec3(probeFromWorld() * glm::dvec4(glm::dvec3(mesh.bounds->centre), 1.0)),
-                static_cast<double>(mesh.bounds->radius), static_cast<double>(mesh.longestEdge)};
-        variant.large = !(seen.longestEdge < largeSpan * (glm::length(seen.centre) - seen.radius));
-    }
-    if (desc.method == CaptureMethod::exact)
-        return variant;
-    if (capture::isPiecewiseLinear(desc.map))
-        variant.path = Path::linear;
-    else if (desc.method == CaptureMethod::perVertex)
-        variant.path = Path::textbook;
-    else if (desc.method == CaptureMethod::tessellated)
-        variant.path = Path::tessellated;
-    else if (mesh.bounds && view >= 0 && // a draw into all layers at once has no one view to judge by
-             capture::mappingSuffices(desc.map, view, seen, desc.n, static_cast<double>(desc.epsilon)))
-        variant.path = Path::mapped;
-    if (variant.path != Path::exact)
-        variant.large = false;
-    return variant;
-}
-
 // What the host's draws must be made of.
 unsigned int ReflectionProbe::Implementation::primitive() const
 {
@@ -341,7 +196,7 @@ unsigned int ReflectionProbe::Implementation::primitive() const
 
 unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int view)
 {
-    const capture::Variant variant = variantOf(mesh, view);
+    const capture::Variant variant = frame.variantOf(mesh, view, peeling);
     const Path path = variant.path;
     const LinkedProgram& linked = mesh.program->implementation().program(variant);
     // Set again for every draw: the callback may have changed any of it.
@@ -351,16 +206,18 @@ unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int v
         bindFirstLayer();
     glViewport(0, 0, drawSize.width, drawSize.height);
     glUseProgram(linked.program.name());
-    setUniforms(linked, view);
+    capture::setUniforms(linked, frame, desc.map, view, drawSize);
+    if (peeling) {
+        glUniform1i(linked.firstDistance, peelUnit);
+        glUniform1i(linked.layer, static_cast<GLint>(layer));
+        glUniform1f(linked.separation, desc.layerSeparation);
+    }
     for (GLenum plane = 0; plane < 3; ++plane)
         (linked.usesClipDistances ? glEnable : glDisable)(GL_CLIP_DISTANCE0 + plane);
     // Covering polygons have no winding of their own: the geometry shader culls.
     (mesh.cullBackFaces && path != Path::exact ? glEnable : glDisable)(GL_CULL_FACE);
-    if (path == Path::tessellated) {
-        glUniform1f(linked.steps, static_cast<float>(
-                                      capture::tessellationSteps(desc.n, static_cast<double>(desc.epsilon))));
+    if (path == Path::tessellated)
         glPatchParameteri(GL_PATCH_VERTICES, 3);
-    }
     glUniform1i(linked.cullBackFaces, mesh.cullBackFaces ? 1 : 0);
     // With all at once the geometry shader has turned front faces counter-clockwise.
     glFrontFace(view < 0 || capture::orientation(desc.map, view) > 0 ? GL_CCW : GL_CW);
@@ -385,7 +242,7 @@ void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh
 {
     for (int view = 0; view < capture::viewCount(desc.map); ++view)
         for (const CaptureMesh& mesh : meshes) {
-            if (mesh.bounds && !touches(view, *mesh.bounds))
+            if (mesh.bounds && !frame.touches(view, *mesh.bounds))
                 ++report.drawsCulled;
             else
                 draw(mesh, {use(mesh, view), view, primitive()});
@@ -395,7 +252,7 @@ void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh
 // Where varyings leave no room for all layers in one draw, each view has its own.
 bool ReflectionProbe::Implementation::fitsAtOnce(const CaptureMesh& mesh) const
 {
-    return allAtOnce && mesh.program->implementation().fits(variantOf(mesh, -1));
+    return allAtOnce && mesh.program->implementation().fits(frame.variantOf(mesh, -1, peeling));
 }
 
 void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw)
@@ -403,7 +260,7 @@ void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh>
     for (const CaptureMesh& mesh : meshes) {
         std::vector<int> touched;
         for (int view = 0; view < capture::viewCount(desc.map); ++view)
-            if (!mesh.bounds || touches(view, *mesh.bounds))
+            if (!mesh.bounds || frame.touches(view, *mesh.bounds))
                 touched.push_back(view);
         if (touched.empty())
             ++report.drawsCulled;
@@ -420,19 +277,18 @@ void ReflectionProbe::Implementation::compile(std::span<const CaptureMesh> meshe
         const RaisedFlag raised(peeling);
         for (const CaptureMesh& mesh : meshes)
             for (int view = 0; view < capture::viewCount(desc.map); ++view)
-                mesh.program->implementation().program(variantOf(mesh, view));
+                mesh.program->implementation().program(frame.variantOf(mesh, view, peeling));
     }
     for (const CaptureMesh& mesh : meshes) {
         const bool together = fitsAtOnce(mesh);
         for (int view = together ? -1 : 0; view < (together ? 0 : capture::viewCount(desc.map)); ++view)
-            mesh.program->implementation().program(variantOf(mesh, view));
+            mesh.program->implementation().program(frame.variantOf(mesh, view, peeling));
     }
 }
 
 void ReflectionProbe::Implementation::place()
 {
-    pose = rigidPose(desc.worldFromProbe);
-    checkRange();
+    frame = capture::Frame(desc);
 }
 
 void ReflectionProbe::Implementation::publish()
@@ -441,7 +297,7 @@ void ReflectionProbe::Implementation::publish()
            desc.n,
            isBorrowed() ? desc.colourTexture : front.colour.name(),
            isBorrowed() ? desc.distanceTexture : front.distance.name(),
-           pose.worldFromProbe,
+           frame.worldFromProbe(),
            hiddenFront.colour.name(),
            hiddenFront.distance.name()};
     map.nearestLevel = nearestLevel();
@@ -470,7 +326,7 @@ const ReflectionProbe::Desc& ReflectionProbe::desc() const
 
 float ReflectionProbe::near() const
 {
-    return implementation_->near;
+    return implementation_->current().near();
 }
 
 void ReflectionProbe::setPose(const glm::dmat4& worldFromProbe)
@@ -492,12 +348,12 @@ int ReflectionProbe::viewCount() const
 
 bool ReflectionProbe::touches(int view, const Sphere& bounds) const
 {
-    return implementation_->touches(view, bounds);
+    return implementation_->current().touches(view, bounds);
 }
 
 bool ReflectionProbe::touches(int view, const Box& bounds) const
 {
-    return implementation_->touches(view, bounds);
+    return implementation_->current().touches(view, bounds);
 }
 
 const ReflectionMap& ReflectionProbe::map() const
@@ -521,7 +377,7 @@ CaptureReport ReflectionProbe::Implementation::fill(const std::function<void()>&
     guard.neutralise();
     if (desc.depthTerm == DepthTerm::radial) {
         glDepthFunc(GL_GREATER);
-        if (hasClipControl())
+        if (capture::hasClipControl())
             glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     }
     report = {};
@@ -614,12 +470,12 @@ void ReflectionProbe::takeOver(std::span<const unsigned int, 6> sides, SideTarge
 
 bool CaptureView::touches(const Sphere& bounds) const
 {
-    return view_ < 0 || probe_->touches(view_, bounds);
+    return view_ < 0 || probe_->frame.touches(view_, bounds);
 }
 
 bool CaptureView::touches(const Box& bounds) const
 {
-    return view_ < 0 || probe_->touches(view_, bounds);
+    return view_ < 0 || probe_->frame.touches(view_, bounds);
 }
 
 unsigned int CaptureView::use(CaptureProgram& program)

@@ -1,7 +1,7 @@
 // Views in which great circles are straight lines: cube faces, octants of the octahedral map. On the equi-angular cube each
 // axis is then bent by one monotone function.
-uniform mat3 mirrorballCapture_clipFromDirection[MIRRORBALL_VIEWS];
-uniform mat3 mirrorballCapture_lineFromDirection[MIRRORBALL_VIEWS];
+uniform mat3 mirrorballCapture_clipFromDirection[MIRRORBALL_SLOTS];
+uniform mat3 mirrorballCapture_lineFromDirection[MIRRORBALL_SLOTS];
 
 // From [-1, 1] on the straight view to texels.
 vec2 mirrorballCapture_texelFromStraight(vec2 p)
@@ -35,7 +35,7 @@ void mirrorballCapture_narrowByLine(vec3 line, float y, inout vec2 extent)
 
 void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
 {
-    mirrorballCapture_narrowByLine(mirrorballCapture_lineFromDirection[view] * edge,
+    mirrorballCapture_narrowByLine(mirrorballCapture_lineFromDirection[MIRRORBALL_SLOT(view)] * edge,
                                    mirrorballCapture_straightFromSquare(at), extent);
 }
 
@@ -60,7 +60,7 @@ void mirrorballCapture_narrowToView(int view, float from, float to, inout vec2 e
 float mirrorballCapture_inflection(int view, vec3 edge, float at)
 {
 #if MIRRORBALL_EQUI_ANGULAR_CUBE
-    vec3 line = mirrorballCapture_lineFromDirection[view] * edge;
+    vec3 line = mirrorballCapture_lineFromDirection[MIRRORBALL_SLOT(view)] * edge;
     float halfTurns = 0.5 * mirrorballCapture_atan2Pi(2.0 * line.y * line.z, dot(line.xz, line.xz) - line.y * line.y);
     float place = 2.0 * halfTurns + 0.5;
     return place + floor(at - place + 0.5);
@@ -75,7 +75,7 @@ void mirrorballCapture_coverLarge(int view, vec3 vertex[3], vec3 edge[3], float 
     // Vertices, as far as they lie in front.
     float events[3] = float[3](0.5, 0.5, 0.5);
     for (int k = 0; k < 3; ++k) {
-        vec3 local = mirrorballCapture_clipFromDirection[view] * vertex[k];
+        vec3 local = mirrorballCapture_clipFromDirection[MIRRORBALL_SLOT(view)] * vertex[k];
         if (local.z > 1e-4 * length(vertex[k]))
             events[k] = mirrorballCapture_texelFromStraight(clamp(local.xy / local.z, -2.0, 2.0)).y / mirrorballCapture_size.y;
     }
@@ -89,7 +89,7 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec2 p[3];
     bool inFront = true;
     for (int k = 0; k < 3; ++k) {
-        vec3 local = mirrorballCapture_clipFromDirection[view] * vertex[k];
+        vec3 local = mirrorballCapture_clipFromDirection[MIRRORBALL_SLOT(view)] * vertex[k];
         inFront = inFront && local.z > 0.3 * length(vertex[k]);
         p[k] = local.xy / local.z;
     }

@@ -1,0 +1,126 @@
+#include "capture/frame.h"
+
+#include "capture/error_law.h"
+#include "capture/pose.h"
+#include "capture/views.h"
+
+#include <mirrorball/error.h>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace mirrorball::capture {
+
+namespace {
+
+float nearOf(const ReflectionProbe::Desc& desc, double scale)
+{
+    if (!(desc.halfExtent >= 0.0) || !std::isfinite(desc.halfExtent))
+        throw Error(ErrorKind::badArgument, "a probe's half extent",
+                    "it is " + std::to_string(desc.halfExtent), "give a finite number that is not negative");
+    const float near = desc.near ? *desc.near : static_cast<float>(desc.halfExtent * scale);
+    const std::string found = "near is " + std::to_string(near) + " and far is " + std::to_string(desc.far);
+    if (!(near > 0.0f) || !std::isfinite(near) || !(desc.far > near))
+        throw Error(ErrorKind::badArgument, "the range of a probe", found, "give 0 < near < far");
+    return near;
+}
+
+glm::dmat4 inverseRelativeTo(const glm::dvec3& origin, glm::dmat4 worldFromProbe)
+{
+    worldFromProbe[3] = glm::dvec4(glm::dvec3(worldFromProbe[3]) - origin, 1.0);
+    return glm::inverse(worldFromProbe);
+}
+
+} // namespace
+
+Frame::Frame(const ReflectionProbe::Desc& desc)
+    : map_(desc.map), n_(desc.n), method_(desc.method), depthTerm_(desc.depthTerm),
+      epsilon_(static_cast<double>(desc.epsilon)),
+      worldFromProbe_(rigidPose(desc.worldFromProbe).worldFromProbe),
+      probeFromWorld_(inverseRelativeTo(desc.captureOrigin, worldFromProbe_)),
+      near_(nearOf(desc, rigidPose(desc.worldFromProbe).scale)), far_(desc.far)
+{
+}
+
+bool Frame::touches(int view, const Sphere& bounds) const
+{
+    const glm::dvec3 centre(probeFromWorld_ * glm::dvec4(glm::dvec3(bounds.centre), 1.0));
+    const double distance = glm::length(centre);
+    // The host's bounds and vertices are floats: allow for the rounding of both.
+    const double radius = static_cast<double>(bounds.radius) * (1.0 + 1e-5) + distance * 1e-6;
+    if (std::isnan(distance) || std::isnan(radius))
+        return true;
+    if (distance + radius < static_cast<double>(near_) || distance - radius > static_cast<double>(far_))
+        return false;
+    return viewTouches(map_, view, centre, radius);
+}
+
+bool Frame::touches(int view, const Box& bounds) const
+{
+    // Spheres around parts of a box fit closely where one around a long or flat box would not.
+    constexpr double partsAlongLongest = 8.0;
+    const glm::dvec3 low(bounds.low), extent = glm::dvec3(bounds.high) - low;
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    if (!(std::min({extent.x, extent.y, extent.z}) >= 0.0) || !std::isfinite(longest))
+        return true; // no box: nothing is known
+    glm::ivec3 parts(1);
+    for (int axis = 0; axis < 3 && longest > 0.0; ++axis)
+        parts[axis] = std::max(1, static_cast<int>(std::ceil(extent[axis] * partsAlongLongest / longest)));
+    const glm::dvec3 part = extent / glm::dvec3(parts);
+    for (int x = 0; x < parts.x; ++x)
+        for (int y = 0; y < parts.y; ++y)
+            for (int z = 0; z < parts.z; ++z) {
+                const glm::dvec3 centre = low + part * (glm::dvec3(x, y, z) + 0.5);
+                // The centre is rounded to float: half an ulp of it, in three coordinates.
+                const double rounding = 1.1e-7 * glm::length(centre);
+                const double radius = (0.5 * glm::length(part) + rounding) * (1.0 + 1e-6);
+                if (touches(view, Sphere{glm::vec3(centre), static_cast<float>(radius)}))
+                    return true;
+            }
+    return false;
+}
+
+Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
+{
+    Variant variant{map_, Path::exact, view < 0 ? LayerOrder::allAtOnce : LayerOrder::oneAtATime, depthTerm_,
+                    true};
+    variant.peels = peels;
+    // Triangles that span less than this are nearly straight on the map, and a simple polygon covers each
+    // closely.
+    constexpr double largeSpan = 0.45;
+    MeshBounds seen{};
+    if (mesh.bounds) {
+        seen = {glm::dvec3(probeFromWorld_ * glm::dvec4(glm::dvec3(mesh.bounds->centre), 1.0)),
+                static_cast<double>(mesh.bounds->radius), static_cast<double>(mesh.longestEdge)};
+        variant.large = !(seen.longestEdge < largeSpan * (glm::length(seen.centre) - seen.radius));
+    }
+    if (method_ == CaptureMethod::exact)
+        return variant;
+    if (isPiecewiseLinear(map_)) {
+        variant.path = Path::linear;
+        const double distance = glm::length(seen.centre);
+        variant.withinRange = mesh.bounds &&
+                              distance - seen.radius > static_cast<double>(near_) * (1.0 + 1e-5) &&
+                              distance + seen.radius < static_cast<double>(far_) * (1.0 - 1e-5);
+    } else if (method_ == CaptureMethod::perVertex)
+        variant.path = Path::textbook;
+    else if (method_ == CaptureMethod::tessellated)
+        variant.path = Path::tessellated;
+    else if (mesh.bounds && view >= 0 && // a draw into all layers at once has no one view to judge by
+             mappingSuffices(map_, view, seen, n_, epsilon_))
+        variant.path = Path::mapped;
+    if (variant.path != Path::exact)
+        variant.large = false;
+    return variant;
+}
+
+double Frame::tessellationSteps() const
+{
+    return capture::tessellationSteps(n_, epsilon_);
+}
+
+} // namespace mirrorball::capture
