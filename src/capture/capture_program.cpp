@@ -135,6 +135,20 @@ bool cuts(const Variant& variant)
            (variant.path == Path::linear && variant.map == MapKind::octahedral);
 }
 
+// Whether triangles may need more than a simple polygon. Small ones do where a layer holds poles, a cut or folds.
+bool coversCurved(const Variant& variant)
+{
+    return variant.large || variant.map == MapKind::equirectangular || variant.map == MapKind::octahedral;
+}
+
+// Whether the vertex stage tells the geometry stage where the map has each vertex.
+bool passesSquares(const Variant& variant)
+{
+    const bool ofLatitude = variant.map == MapKind::tennisBall || variant.map == MapKind::tennisBallEven ||
+                            variant.map == MapKind::equirectangular;
+    return variant.path == Path::exact && ofLatitude && variant.layers == LayerOrder::oneAtATime;
+}
+
 // What the shaders' #if lines ask.
 std::string defines(const CaptureProgram::Implementation& host, const Variant& variant)
 {
@@ -165,8 +179,9 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("CLIPS_RANGE", variant.path == Path::linear && !variant.withinRange) +
            define("DROPS_SMEAR", variant.path == Path::textbook && wraps) +
            define("PERSPECTIVE", variant.path == Path::mapped || variant.path == Path::tessellated) +
-           define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", together) + define("PEELS", variant.peels) +
-           coverDefines(variant.map);
+           define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", together) +
+           define("SQUARES", passesSquares(variant)) + define("CURVED", coversCurved(variant)) +
+           define("PEELS", variant.peels) + coverDefines(variant.map);
 }
 
 // The texts of one capture program, put together around the host's.
@@ -192,8 +207,9 @@ public:
         HostShader::Changes changes;
         changes.identifiers = {{"main", prefix + "hostMain"}};
         changes.removed = {"gl_PerVertex", "gl_ClipDistance"};
-        changes.prelude = ours() + (carries() ? std::string(shaders::vertexAll)
-                                              : map_ + project() + std::string(shaders::vertexOne));
+        changes.prelude = ours() + (passesSquares(variant_) ? map_ : "") +
+                          (carries() ? std::string(shaders::vertexAll)
+                                     : map_ + project() + std::string(shaders::vertexOne));
         if (host_.vertex.mentions("gl_ClipDistance")) {
             changes.identifiers.push_back({"gl_ClipDistance", prefix + "ignoredClipDistance"});
             changes.prelude += "float " + prefix + "ignoredClipDistance[8];\n";

@@ -89,9 +89,9 @@ Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
     Variant variant{map_, Path::exact, view < 0 ? LayerOrder::allAtOnce : LayerOrder::oneAtATime, depthTerm_,
                     true};
     variant.peels = peels;
-    // Triangles that span less than this are nearly straight on the map, and a simple polygon covers each
-    // closely.
-    constexpr double largeSpan = 0.45;
+    // Triangles that span less than this (15 degrees) are nearly straight on the map, and a simple polygon covers
+    // each closely: within 60 degrees of a component's equator, and what lies farther up does not reach the layer.
+    constexpr double largeSpan = 0.26;
     MeshBounds seen{};
     if (mesh.bounds) {
         seen = {glm::dvec3(probeFromWorld_ * glm::dvec4(glm::dvec3(mesh.bounds->centre), 1.0)),

@@ -1,4 +1,5 @@
 // Polygons on the map, in texels, that are certain to cover a curved triangle.
+layout(triangles) in;
 uniform vec2 mirrorballCapture_size; // of a layer, in texels
 
 // Rounding of positions (the rasteriser snaps to 1/16 texel at the coarsest) and of the chart.
@@ -39,7 +40,7 @@ void mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, inout mirrorballCaptur
     cover.breaks = 0;
     if (any(greaterThan(low, mirrorballCapture_size)) || any(lessThan(high, vec2(0.0))))
         return;
-    cover.count = 4;
+    cover.count = 3;
     vec2 ab = p[1] - p[0];
     vec2 ac = p[2] - p[0];
     float turn = ab.x * ac.y - ab.y * ac.x < 0.0 ? -1.0 : 1.0;
@@ -47,10 +48,17 @@ void mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, inout mirrorballCaptur
     cover.corner[0] = mirrorballCapture_pushedCorner(p[2], p[0], p[1], sag.yz, turn, stretch);
     cover.corner[1] = mirrorballCapture_pushedCorner(p[0], p[1], p[2], sag.zx, turn, stretch);
     cover.corner[2] = mirrorballCapture_pushedCorner(p[1], p[2], p[0], sag.xy, turn, stretch);
-    cover.corner[3] = cover.corner[2];
     // NaN, from two corners in one place, takes the box as well.
     if (stretch < 4.0)
         return;
+    cover.count = 4;
+#if !MIRRORBALL_CURVED
+    // So small that an upright box will do.
+    cover.corner[0] = low;
+    cover.corner[1] = vec2(high.x, low.y);
+    cover.corner[2] = vec2(low.x, high.y);
+    cover.corner[3] = high;
+#else
     vec2 bc = p[2] - p[1];
     vec2 along = dot(ab, ab) >= dot(ac, ac) && dot(ab, ab) >= dot(bc, bc) ? ab : dot(ac, ac) >= dot(bc, bc) ? ac : bc;
     float size = length(along);
@@ -64,6 +72,18 @@ void mirrorballCapture_coverTriangle(vec2 p[3], vec3 sag, inout mirrorballCaptur
     cover.corner[1] = last.x * along + first.y * across;
     cover.corner[2] = first.x * along + last.y * across;
     cover.corner[3] = last.x * along + last.y * across;
+#endif
+}
+
+// For what nothing closer is known of.
+void mirrorballCapture_coverLayer(inout mirrorballCapture_Cover cover)
+{
+    cover.corner[0] = vec2(0.0);
+    cover.corner[1] = vec2(mirrorballCapture_size.x, 0.0);
+    cover.corner[2] = vec2(0.0, mirrorballCapture_size.y);
+    cover.corner[3] = mirrorballCapture_size;
+    cover.count = 4;
+    cover.breaks = 0;
 }
 
 // Each family of maps writes these two. The first narrows the extent across, at one place along, to the side of an edge's

@@ -1,6 +1,10 @@
 // Maps whose coordinates are functions of latitude and longitude. Longitude runs along the strips; MIRRORBALL_PERIOD is 360
 // degrees in units of the square.
 
+#if MIRRORBALL_SQUARES
+in vec2 mirrorballCapture_square[];
+#endif
+
 // Latitude is the angle to the plane y = 0, longitude 0 is at +z.
 vec3 mirrorballCapture_local(int view, vec3 v)
 {
@@ -57,6 +61,7 @@ bool mirrorballCapture_holdsPole(vec3 edgeY, vec3 edgeLength, float side)
     return all(greaterThanEqual(side * edgeY, -1e-5 * edgeLength));
 }
 
+#if MIRRORBALL_CURVED
 // A triangle that is large on the map, or near a pole or the cut.
 void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec3 along, float first, float last, bool wraps,
                                    inout mirrorballCapture_Cover cover)
@@ -86,6 +91,7 @@ void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec3 
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
     mirrorballCapture_coverStrips(view, planes, events, max(first, 0.0), min(last, 1.0), cover);
 }
+#endif
 
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
@@ -93,7 +99,11 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec2 square[3];
     for (int k = 0; k < 3; ++k) {
         unit[k] = normalize(mirrorballCapture_local(view, vertex[k]));
+#if MIRRORBALL_SQUARES
+        square[k] = mirrorballCapture_square[k];
+#else
         square[k] = mirrorballCapture_squareFromDirection(view, vertex[k]);
+#endif
         if (k > 0) {
             float turns = (square[k].MIRRORBALL_ALONG - square[0].MIRRORBALL_ALONG) / MIRRORBALL_PERIOD;
             square[k].MIRRORBALL_ALONG -= MIRRORBALL_PERIOD * floor(turns + 0.5);
@@ -115,14 +125,20 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
 #if MIRRORBALL_EQUIRECTANGULAR
     bool beyond = false;
 #else
-    // Both caps beyond 45 degrees are convex: with all vertices in one of them (here 0.01 degrees further in), so is the
-    // triangle, and nothing of it lies on the layer.
+    // Both caps beyond 45 degrees are convex, and so is the wedge between 135 degrees and the cut: with all vertices in one
+    // of them (here 0.01 degrees further in), so is the triangle, and nothing of it lies on the layer.
     vec3 sines = vec3(unit[0].y, unit[1].y, unit[2].y);
-    bool beyond = all(greaterThan(sines, vec3(0.70723))) || all(lessThan(sines, vec3(-0.70723)));
+    bool beyond = all(greaterThan(sines, vec3(0.70723))) || all(lessThan(sines, vec3(-0.70723))) ||
+                  max(max(abs(unit[0].x) + unit[0].z, abs(unit[1].x) + unit[1].z), abs(unit[2].x) + unit[2].z) < -3e-4;
 #endif
     cover.count = beyond ? 0 : cover.count;
-    // A loop of one turn, and not an if: software rasterisers skip loops that nobody enters and walk through both sides of
-    // an if.
+#if MIRRORBALL_CURVED
+    // A loop of one turn, and not an if: software rasterisers leave loops that nobody enters, and the loops within, after
+    // one turn.
     for (int turns = straight || beyond ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverCurved(view, vertex, edge, along, first, last, wraps, cover);
+#else
+    if (!straight && !beyond)
+        mirrorballCapture_coverLayer(cover);
+#endif
 }

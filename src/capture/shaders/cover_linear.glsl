@@ -69,6 +69,7 @@ float mirrorballCapture_inflection(int view, vec3 edge, float at)
 #endif
 }
 
+#if MIRRORBALL_CURVED
 void mirrorballCapture_coverLarge(int view, vec3 vertex[3], vec3 edge[3], float first, float last,
                                   inout mirrorballCapture_Cover cover)
 {
@@ -83,18 +84,20 @@ void mirrorballCapture_coverLarge(int view, vec3 vertex[3], vec3 edge[3], float 
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
     mirrorballCapture_coverStrips(view, planes, events, first, last, cover);
 }
+#endif
 
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
     vec2 p[3];
     bool inFront = true;
+    bvec4 beyond = bvec4(true); // a side of the view, with all vertices
     for (int k = 0; k < 3; ++k) {
         vec3 local = mirrorballCapture_clipFromDirection[MIRRORBALL_SLOT(view)] * vertex[k];
         inFront = inFront && local.z > 0.3 * length(vertex[k]);
+        beyond = bvec4(ivec4(beyond) * ivec4(greaterThan(vec4(local.xy, -local.xy), vec4(local.z * 1.0001))));
         p[k] = local.xy / local.z;
     }
     vec3 chord = vec3(distance(p[1], p[2]), distance(p[2], p[0]), distance(p[0], p[1]));
-    bool small = inFront && max(max(chord.x, chord.y), chord.z) < 0.5;
     for (int k = 0; k < 3; ++k)
         p[k] = mirrorballCapture_texelFromStraight(p[k]);
 #if MIRRORBALL_EQUI_ANGULAR_CUBE
@@ -105,10 +108,18 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec3 sag = vec3(0.0);
 #endif
     mirrorballCapture_coverTriangle(p, sag, cover);
+#if MIRRORBALL_CURVED
+    bool small = inFront && max(max(chord.x, chord.y), chord.z) < 0.5;
     vec3 y = vec3(p[0].y, p[1].y, p[2].y) / mirrorballCapture_size.y;
     float first = inFront ? clamp(min(min(y.x, y.y), y.z), 0.0, 1.0) : 0.0;
     float last = inFront ? clamp(max(max(y.x, y.y), y.z), 0.0, 1.0) : 1.0;
-    // A loop of one turn, since software rasterisers skip loops that nobody enters.
+    // A loop of one turn: software rasterisers leave loops that nobody enters, and the loops within, after one turn.
     for (int turns = small ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverLarge(view, vertex, edge, first, last, cover);
+#else
+    if (any(beyond))
+        cover.count = 0;
+    else if (!inFront)
+        mirrorballCapture_coverLayer(cover);
+#endif
 }

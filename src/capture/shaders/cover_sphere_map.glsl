@@ -5,15 +5,6 @@ float mirrorballCapture_inflection(int view, vec3 edge, float at)
     return -9.0;
 }
 
-void mirrorballCapture_coverLayer(inout mirrorballCapture_Cover cover)
-{
-    cover.corner[0] = vec2(0.0);
-    cover.corner[1] = vec2(mirrorballCapture_size.x, 0.0);
-    cover.corner[2] = vec2(0.0, mirrorballCapture_size.y);
-    cover.corner[3] = mirrorballCapture_size;
-    cover.count = 4;
-}
-
 // A triangle behind the map's plane, where the layer is an annulus of radius 1/2 sin(angle / 2): a box around the sector
 // that holds its vertices. False where it holds the axis or goes round it.
 bool mirrorballCapture_coverSector(vec3 unit[3], vec3 edge[3], inout mirrorballCapture_Cover cover)

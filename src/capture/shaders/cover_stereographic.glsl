@@ -42,6 +42,7 @@ float mirrorballCapture_inflection(int view, vec3 edge, float at)
     return -9.0;
 }
 
+#if MIRRORBALL_CURVED
 void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 p[3], inout mirrorballCapture_Cover cover)
 {
     // Vertices, and where an edge's circle is widest or ends.
@@ -58,14 +59,17 @@ void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
     mirrorballCapture_coverStrips(view, planes, events, 0.0, 1.0, cover);
 }
+#endif
 
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
     vec2 p[3];
     float lowest = 1.0;
+    float highest = -1.0;
     for (int k = 0; k < 3; ++k) {
         vec3 unit = normalize(mirrorballCapture_local(view, vertex[k]));
         lowest = min(lowest, unit.z);
+        highest = max(highest, unit.z);
         p[k] = unit.xy / max(1.0 + unit.z, 1e-6);
     }
     vec3 chord = vec3(distance(p[1], p[2]), distance(p[2], p[0]), distance(p[0], p[1]));
@@ -76,7 +80,15 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     for (int k = 0; k < 3; ++k)
         texel[k] = (p[k] + 1.0) * middle;
     mirrorballCapture_coverTriangle(texel, 0.1271 * chord * chord * middle.x, cover);
-    // A loop of one turn, since software rasterisers skip loops that nobody enters.
+#if MIRRORBALL_CURVED
+    // A loop of one turn: software rasterisers leave loops that nobody enters, and the loops within, after one turn.
     for (int turns = straight ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverCurved(view, vertex, edge, p, cover);
+#else
+    // The layer's corners lie at z = -1/3, and the cap beyond is convex.
+    if (highest < -0.334)
+        cover.count = 0;
+    else if (!straight)
+        mirrorballCapture_coverLayer(cover);
+#endif
 }

@@ -2,7 +2,6 @@
 // what the fragment stage needs to test and interpolate in direction space (homogeneous rasterisation: Olano and Greer,
 // "Triangle scan conversion using 2D homogeneous coordinates", 1997; Gascuel et al., "Fast non-linear projections using
 // graphics hardware", 2008).
-layout(triangles) in;
 layout(triangle_strip, max_vertices = MIRRORBALL_VERTICES) out;
 in vec3 mirrorballCapture_vertex[];
 uniform int mirrorballCapture_view;

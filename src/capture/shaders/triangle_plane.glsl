@@ -22,26 +22,6 @@ void mirrorballCapture_addProduct(float a, float b, inout vec2 sum)
     sum = vec2(total, low);
 }
 
-vec4 mirrorballCapture_compensatedPlane(vec3 a, vec3 b, vec3 c)
-{
-    vec3 normal;
-    vec2 offset = vec2(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-        int i = (axis + 1) % 3;
-        int j = (axis + 2) % 3;
-        vec2 sum = vec2(0.0);
-        mirrorballCapture_addProduct(a[i], b[j], sum);
-        mirrorballCapture_addProduct(-a[j], b[i], sum);
-        mirrorballCapture_addProduct(b[i], c[j], sum);
-        mirrorballCapture_addProduct(-b[j], c[i], sum);
-        mirrorballCapture_addProduct(c[i], a[j], sum);
-        mirrorballCapture_addProduct(-c[j], a[i], sum);
-        normal[axis] = sum.x + sum.y;
-        mirrorballCapture_addProduct(sum.x, a[axis], offset);
-        mirrorballCapture_addProduct(sum.y, a[axis], offset);
-    }
-    return vec4(normal, offset.x + offset.y);
-}
 #endif
 
 vec4 mirrorballCapture_plane(vec3 a, vec3 b, vec3 c)
@@ -54,13 +34,27 @@ vec4 mirrorballCapture_plane(vec3 a, vec3 b, vec3 c)
     vec3 nearest = squared.x <= squared.y && squared.x <= squared.z ? a : squared.y <= squared.z ? b : c;
     vec4 plane = vec4(normal, dot(normal, nearest));
 #ifdef MIRRORBALL_COMPENSATED
-    // Needles, and planes that nearly hold the centre, lose too many digits. A loop of one turn, since software
-    // rasterisers skip loops that nobody enters and walk through both sides of an if.
+    // Needles, and planes that nearly hold the centre, lose too many digits. A loop, and no if: software rasterisers leave
+    // loops that nobody enters after one turn, and walk through both sides of an if.
     float area = dot(normal, normal);
     bool needle = area < 1e-3 * dot(ab, ab) * dot(ac, ac);
     bool edgeOn = plane.w * plane.w < 1e-3 * area * dot(nearest, nearest);
-    for (int turns = needle || edgeOn ? 1 : 0; turns > 0; --turns)
-        plane = mirrorballCapture_compensatedPlane(a, b, c);
+    vec2 offset = vec2(0.0);
+    for (int axis = needle || edgeOn ? 0 : 3; axis < 3; ++axis) {
+        int i = (axis + 1) % 3;
+        int j = (axis + 2) % 3;
+        vec2 sum = vec2(0.0);
+        mirrorballCapture_addProduct(a[i], b[j], sum);
+        mirrorballCapture_addProduct(-a[j], b[i], sum);
+        mirrorballCapture_addProduct(b[i], c[j], sum);
+        mirrorballCapture_addProduct(-b[j], c[i], sum);
+        mirrorballCapture_addProduct(c[i], a[j], sum);
+        mirrorballCapture_addProduct(-c[j], a[i], sum);
+        mirrorballCapture_addProduct(sum.x, a[axis], offset);
+        mirrorballCapture_addProduct(sum.y, a[axis], offset);
+        plane[axis] = sum.x + sum.y;
+        plane.w = offset.x + offset.y;
+    }
 #endif
     return plane;
 }
