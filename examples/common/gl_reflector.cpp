@@ -40,33 +40,29 @@ Mesh boxAround(double radius)
     return box;
 }
 
-std::string fragmentSource(const Reflector& reflector, View view,
-                           const mirrorball::ReflectionMaterial& material)
+std::string fragmentSource(const Reflector& reflector, View view, const std::string& lookUps)
 {
     const bool isSphere = reflector.radius > 0.0;
-    return fragmentPrelude(view) + mirrorball::reflectionGlsl(material) + std::string(shaders::mirror) +
+    return fragmentPrelude(view) + lookUps + std::string(shaders::mirror) +
            std::string(isSphere ? shaders::sphereMirrorFrag : shaders::meshMirrorFrag);
 }
 
 } // namespace
 
-GlReflector::GlReflector(const Reflector& reflector, const glm::dvec3& origin, View view,
-                         const mirrorball::ReflectionMaterial& material)
+GlMirror::GlMirror(const Reflector& reflector, const glm::dvec3& origin, View view,
+                   const std::string& lookUps)
     : centre_(reflector.at - origin), radius_(reflector.radius),
       plain_(sceneOf(reflector, scaled(reflector.mesh, reflector.scale)), origin),
-      program_(linkProgram(phongVertexSource(), fragmentSource(reflector, view, material))),
-      binding_(program_.name(), probeUnit)
+      program_(linkProgram(phongVertexSource(), fragmentSource(reflector, view, lookUps)))
 {
     if (radius_ > 0.0)
         box_.emplace(sceneOf(reflector, boxAround(radius_)), origin);
 }
 
-void GlReflector::draw(const PictureView& view, int number, const mirrorball::ReflectionMap& map,
-                       const mirrorball::MaterialSettings& settings) const
+void GlMirror::draw(const PictureView& view, int number) const
 {
-    const unsigned int program = program_.name();
-    const auto location = [&](const char* name) { return glGetUniformLocation(program, name); };
-    glUseProgram(program);
+    const auto location = [&](const char* name) { return glGetUniformLocation(program(), name); };
+    glUseProgram(program());
     glUniformMatrix4fv(location("clipFromWorld"), 1, GL_FALSE, glm::value_ptr(view.clipFromWorld));
     glUniformMatrix3fv(location("rayFromPixel"), 1, GL_FALSE, glm::value_ptr(view.rayFromPixel));
     glUniform2fv(location("depthFromClip"), 1, glm::value_ptr(view.depthFromClip));
@@ -77,11 +73,24 @@ void GlReflector::draw(const PictureView& view, int number, const mirrorball::Re
     // Of the box around a sphere only the far side is drawn: once a pixel, and also from within the box.
     (box_ ? glEnable : glDisable)(GL_CULL_FACE);
     glCullFace(GL_FRONT);
-    {
-        const auto bound = binding_.bind(map, settings);
-        (box_ ? *box_ : plain_).drawAll(program, view.phong);
-    }
+    (box_ ? *box_ : plain_).drawAll(program(), view.phong);
     glDisable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+}
+
+GlReflector::GlReflector(const Reflector& reflector, const glm::dvec3& origin, View view,
+                         const mirrorball::ReflectionMaterial& material)
+    : mirror_(reflector, origin, view, mirrorball::reflectionGlsl(material)),
+      binding_(mirror_.program(), probeUnit)
+{
+}
+
+void GlReflector::draw(const PictureView& view, int number, const mirrorball::ReflectionMap& map,
+                       const mirrorball::MaterialSettings& settings) const
+{
+    glUseProgram(mirror_.program());
+    const auto bound = binding_.bind(map, settings);
+    mirror_.draw(view, number);
 }
 
 } // namespace examples

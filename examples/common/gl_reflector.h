@@ -12,6 +12,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <optional>
+#include <string>
 
 namespace examples {
 
@@ -25,16 +26,17 @@ struct PictureView
     PhongView phong;
 };
 
-class GlReflector
+// The reflector's surface, with any fragment shader that has the functions which shaders/mirror.glsl calls.
+class GlMirror
 {
 public:
-    // `material` says which map the reflector will be drawn with, and how it is looked up.
-    GlReflector(const Reflector& reflector, const glm::dvec3& origin, View view,
-                const mirrorball::ReflectionMaterial& material);
+    // `lookUps` defines those functions.
+    GlMirror(const Reflector& reflector, const glm::dvec3& origin, View view, const std::string& lookUps);
 
-    // As a mirror, into a picture; `number`, from 1, goes to output 1.
-    void draw(const PictureView& view, int number, const mirrorball::ReflectionMap& map,
-              const mirrorball::MaterialSettings& settings) const;
+    unsigned int program() const { return program_.name(); }
+
+    // Into a picture; `number`, from 1, goes to output 1. Precondition: what the functions read is bound.
+    void draw(const PictureView& view, int number) const;
 
     // As a plain object, a sphere finely tessellated: how the other reflectors see it.
     const GlScene& plain() const { return plain_; }
@@ -45,6 +47,22 @@ private:
     GlScene plain_;
     std::optional<GlScene> box_; // around a sphere
     mirrorball::gl::Program program_;
+};
+
+// With the library's functions.
+class GlReflector
+{
+public:
+    // `material` says which map the reflector will be drawn with, and how it is looked up.
+    GlReflector(const Reflector& reflector, const glm::dvec3& origin, View view,
+                const mirrorball::ReflectionMaterial& material);
+
+    void draw(const PictureView& view, int number, const mirrorball::ReflectionMap& map,
+              const mirrorball::MaterialSettings& settings) const;
+    const GlScene& plain() const { return mirror_.plain(); }
+
+private:
+    GlMirror mirror_;
     mirrorball::ProbeBinding binding_;
 };
 

@@ -77,7 +77,11 @@ render::Picture ParallaxJudge::draw(MapKind map, Lookup lookup, examples::View v
 
 ParallaxErrors ParallaxJudge::judge(MapKind map, Lookup lookup) const
 {
-    const render::Picture drawn = draw(map, lookup, examples::View::position);
+    return judge(draw(map, lookup, examples::View::position), draw(map, lookup, examples::View::colour));
+}
+
+ParallaxErrors ParallaxJudge::judge(const render::Picture& drawn, const render::Picture& coloured) const
+{
     const glm::dvec3 centre = setup_.mirrors[0].reflector.at;
     ParallaxErrors errors;
     std::vector<double> angles;
@@ -119,7 +123,6 @@ ParallaxErrors ParallaxJudge::judge(MapKind map, Lookup lookup) const
     }
     errors.wrongPercent = 100.0 * wrong / errors.pixels;
     errors.grazingWrongPercent = grazing > 0 ? 100.0 * grazingWrong / grazing : 0.0;
-    const render::Picture coloured = draw(map, lookup, examples::View::colour);
     errors.psnr = psnrOf(coloured, colours_);
     errors.flip = flipOf(coloured, colours_);
     return errors;

@@ -47,7 +47,13 @@ public:
     // `options` as on render's command line; its map, look-up and view do not matter.
     explicit ParallaxJudge(const render::Options& options);
 
+    // As the library draws it, in a context of its own.
     ParallaxErrors judge(mirrorball::MapKind map, mirrorball::Lookup lookup) const;
+
+    // The positions that a picture shows, and its colours, drawn by whomever.
+    ParallaxErrors judge(const render::Picture& positions, const render::Picture& colours) const;
+
+    const render::Setup& setup() const { return setup_; }
 
 private:
     render::Picture draw(mirrorball::MapKind map, mirrorball::Lookup lookup, examples::View view) const;

@@ -1,0 +1,106 @@
+#include "renderer.h"
+
+namespace render {
+
+using namespace examples;
+using mirrorball::CaptureDraw;
+using mirrorball::CaptureMesh;
+using mirrorball::ReflectionProbe;
+
+mirrorball::CaptureProgram phongCaptureProgram()
+{
+    return mirrorball::CaptureProgram({.name = "phong",
+                                       .vertexSource = phongVertexSource(),
+                                       .fragmentSource = phongFragmentSource(View::colour)});
+}
+
+Renderer::Renderer(const Setup& setup, const Options& options, const Canvas& canvas,
+                   mirrorball::CaptureProgram& captureProgram)
+    : setup_(setup), canvas_(canvas), captureProgram_(captureProgram)
+{
+    for (const Mirror& mirror : setup.mirrors)
+        addMirror(mirror, options);
+}
+
+mirrorball::CaptureReport Renderer::capture()
+{
+    mirrorball::CaptureReport total;
+    for (DrawnMirror& mirror : mirrors_) {
+        if (!mirror.probe)
+            continue;
+        const mirrorball::CaptureReport report = capture(mirror);
+        total.draws += report.draws;
+        total.drawsCulled += report.drawsCulled;
+        total.triangles += report.triangles;
+        total.texels += report.texels;
+    }
+    return total;
+}
+
+void Renderer::drawMirrors() const
+{
+    int number = 0;
+    for (const DrawnMirror& mirror : mirrors_)
+        mirror.body.draw(canvas_.pictureView(), ++number, mirror.map(), mirror.settings);
+}
+
+void Renderer::addMirror(const Mirror& mirror, const Options& options)
+{
+    const mirrorball::MapKind map = mirror.source ? mirror.source->map : options.map;
+    DrawnMirror drawn{GlReflector(mirror.reflector, setup_.origin, canvas_.view(),
+                                  {.map = map, .lookup = options.lookup, .detail = options.detail}),
+                      {},
+                      {},
+                      {.tint = mirror.tint,
+                       .blend = mirror.blend,
+                       .origin = setup_.origin,
+                       .worldFromProxy = setup_.worldFromProxy}};
+    if (mirror.source) {
+        drawn.images.emplace(map, mirror.source->n, mirror.source->layers);
+        drawn.images->setRotation(glm::dmat3(mirror.worldFromProbe));
+    } else {
+        drawn.probe.emplace(
+            ReflectionProbe::Desc{.map = map,
+                                  .n = options.size,
+                                  .worldFromProbe = mirror.worldFromProbe,
+                                  .captureOrigin = setup_.origin,
+                                  .near = static_cast<float>(mirror.near),
+                                  .far = static_cast<float>(options.far),
+                                  .mipLevels = options.detail != mirrorball::LevelOfDetail::first,
+                                  .background = glm::vec4(setup_.scene.background, 1.0f),
+                                  .method = options.method,
+                                  .epsilon = static_cast<float>(options.epsilon),
+                                  .layersOfDepth = options.lookup == mirrorball::Lookup::layered ? 2 : 1});
+    }
+    mirrors_.push_back(std::move(drawn));
+}
+
+// The scene and the other reflectors, which are plain objects here; the reflector itself is left out.
+mirrorball::CaptureReport Renderer::capture(DrawnMirror& mirror)
+{
+    std::vector<const GlScene*> parts = {&canvas_.scene()};
+    for (const DrawnMirror& other : mirrors_)
+        if (&other != &mirror)
+            parts.push_back(&other.body.plain());
+
+    struct Piece
+    {
+        const GlScene* part;
+        std::size_t mesh;
+    };
+    std::vector<Piece> pieces;
+    std::vector<CaptureMesh> meshes;
+    for (const GlScene* part : parts)
+        for (CaptureMesh mesh : part->captureMeshes(captureProgram_)) {
+            pieces.push_back({part, mesh.id});
+            mesh.id = meshes.size();
+            meshes.push_back(mesh);
+        }
+    const glm::dvec3 centre(mirror.probe->desc().worldFromProbe[3]);
+    const PhongView phong{canvas_.pictureView().phong.light, glm::vec3(centre - setup_.origin)};
+    return mirror.probe->capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
+        pieces[mesh.id].part->drawMesh(pieces[mesh.id].mesh, draw.program, phong, 1, draw.primitive);
+    });
+}
+
+} // namespace render

@@ -1,0 +1,52 @@
+// Both passes with the library: a map for each mirror of a setup, and the mirrors in a picture.
+#pragma once
+
+#include "canvas.h"
+
+#include <mirrorball/capture/reflection_probe.h>
+#include <mirrorball/reflect/image_map.h>
+
+#include <optional>
+#include <vector>
+
+namespace render {
+
+// The programs' shaders for pass 1.
+mirrorball::CaptureProgram phongCaptureProgram();
+
+// All that it is made with outlives it.
+class Renderer
+{
+public:
+    // The options' view is that of the canvas.
+    Renderer(const Setup& setup, const Options& options, const Canvas& canvas,
+             mirrorball::CaptureProgram& captureProgram);
+
+    // The maps; what they hold together.
+    mirrorball::CaptureReport capture();
+
+    // After Canvas::drawScene, whose state holds.
+    void drawMirrors() const;
+
+private:
+    // One reflector and where its map comes from.
+    struct DrawnMirror
+    {
+        examples::GlReflector body;
+        std::optional<mirrorball::ReflectionProbe> probe;
+        std::optional<mirrorball::ImageMap> images;
+        mirrorball::MaterialSettings settings;
+
+        const mirrorball::ReflectionMap& map() const { return probe ? probe->map() : images->map(); }
+    };
+
+    void addMirror(const Mirror& mirror, const Options& options);
+    mirrorball::CaptureReport capture(DrawnMirror& mirror);
+
+    const Setup& setup_;
+    const Canvas& canvas_;
+    mirrorball::CaptureProgram& captureProgram_;
+    std::vector<DrawnMirror> mirrors_;
+};
+
+} // namespace render
