@@ -12,13 +12,17 @@ using examples::View;
 using mirrorball::CaptureMethod;
 using mirrorball::LayerOrder;
 
+// The library's own; and the coarsest that still means something, which is the cheapest: edges pass the right texels by
+// no more than to their next one.
+constexpr float usual = 1.0f / 16.0f, coarsest = 0.5f;
+
 constexpr LibraryMethod methods[] = {
-    {"automatic", CaptureMethod::automatic, LayerOrder::oneAtATime},
-    {"exact", CaptureMethod::exact, LayerOrder::oneAtATime},
-    {"perVertex", CaptureMethod::perVertex, LayerOrder::oneAtATime},
-    {"tessellated", CaptureMethod::tessellated, LayerOrder::oneAtATime},
-    {"exact-all-at-once", CaptureMethod::exact, LayerOrder::allAtOnce},
-    {"perVertex-all-at-once", CaptureMethod::perVertex, LayerOrder::allAtOnce},
+    {"automatic", CaptureMethod::automatic, LayerOrder::oneAtATime, usual},
+    {"exact", CaptureMethod::exact, LayerOrder::oneAtATime, usual},
+    {"perVertex", CaptureMethod::perVertex, LayerOrder::oneAtATime, usual},
+    {"tessellated", CaptureMethod::tessellated, LayerOrder::oneAtATime, coarsest},
+    {"exact-all-at-once", CaptureMethod::exact, LayerOrder::allAtOnce, usual},
+    {"perVertex-all-at-once", CaptureMethod::perVertex, LayerOrder::allAtOnce, usual},
 };
 
 class LibraryContender : public Contender
@@ -120,6 +124,7 @@ std::unique_ptr<Contender> makeLibraryContender(const LibraryMethod& method, mir
     desc.background = glm::vec4(stage.scene().background, 1.0f);
     desc.mipLevels = false; // which no rival has
     desc.method = method.method;
+    desc.epsilon = method.epsilon;
     desc.layers = method.layers;
     return std::make_unique<LibraryContender>(desc, stage, cullBackFaces, view);
 }

@@ -74,6 +74,7 @@ struct LibraryMethod
     std::string_view name;
     mirrorball::CaptureMethod method;
     mirrorball::LayerOrder layers;
+    float epsilon; // texels, of those that approximate
 };
 std::span<const LibraryMethod> libraryMethods();
 

@@ -12,10 +12,11 @@ namespace tests::benchmark {
 
 namespace {
 
+template <class RowType>
 struct Column
 {
     const char* name;
-    std::function<std::string(const Row&)> text;
+    std::function<std::string(const RowType&)> text;
 };
 
 std::string number(double value)
@@ -36,22 +37,22 @@ std::string optional(const std::optional<Value>& value)
     return value ? number(static_cast<double>(*value)) : "";
 }
 
-Column error(const char* name, double Errors::*member)
+Column<Row> error(const char* name, double Errors::*member)
 {
     return {name, [=](const Row& row) { return row.errors ? number((*row.errors).*member) : ""; }};
 }
 
-Column error(const char* name, Spread Errors::*spread, double Spread::*member)
+Column<Row> error(const char* name, Spread Errors::*spread, double Spread::*member)
 {
     return {name, [=](const Row& row) { return row.errors ? number((*row.errors).*spread.*member) : ""; }};
 }
 
-Column time(const char* name, Quartiles Timing::*quartiles, double Quartiles::*member)
+Column<Row> time(const char* name, Quartiles Timing::*quartiles, double Quartiles::*member)
 {
     return {name, [=](const Row& row) { return number(row.timing.*quartiles.*member); }};
 }
 
-std::vector<Column> columns()
+std::vector<Column<Row>> captureColumns()
 {
     return {
         {"scene", [](const Row& row) { return inQuotes(row.group.scene->name); }},
@@ -100,19 +101,68 @@ std::vector<Column> columns()
     };
 }
 
+Column<LookUpRow> milliseconds(const char* name, Quartiles LookUpRow::*quartiles, double Quartiles::*member)
+{
+    return {name, [=](const LookUpRow& row) { return number(row.*quartiles.*member); }};
+}
+
+Column<LookUpRow> pictureError(const char* name, double ParallaxErrors::*member)
+{
+    return {name, [=](const LookUpRow& row) { return number(row.errors.*member); }};
+}
+
+std::vector<Column<LookUpRow>> lookUpColumns()
+{
+    return {
+        {"scene", [](const LookUpRow& row) { return inQuotes(row.scene->name); }},
+        {"by", [](const LookUpRow& row) { return std::string(row.entry.isByHand ? "hand" : "mirrorball"); }},
+        {"map", [](const LookUpRow& row) { return std::string(mirrorball::mapInfo(row.entry.map).name); }},
+        {"look_up", [](const LookUpRow& row) { return std::string(nameOf(row.entry.lookup)); }},
+        {"cube_n", [](const LookUpRow& row) { return std::to_string(row.cubeN); }},
+        {"n", [](const LookUpRow& row) { return std::to_string(row.entry.n); }},
+        {"frames", [](const LookUpRow& row) { return std::to_string(row.frames); }},
+        milliseconds("pass_1_cpu_ms", &LookUpRow::captureCpu, &Quartiles::median),
+        milliseconds("reflector_cpu_ms", &LookUpRow::mirrorCpu, &Quartiles::median),
+        milliseconds("both_cpu_ms", &LookUpRow::bothCpu, &Quartiles::median),
+        milliseconds("both_cpu_ms_lower_quartile", &LookUpRow::bothCpu, &Quartiles::lower),
+        milliseconds("both_cpu_ms_upper_quartile", &LookUpRow::bothCpu, &Quartiles::upper),
+        {"cpu_ratio", [](const LookUpRow& row) { return number(row.ratio); }},
+        milliseconds("frame_wall_ms", &LookUpRow::frameWall, &Quartiles::median),
+        {"frames_per_second", [](const LookUpRow& row) { return number(row.framesPerSecond()); }},
+        {"pixels_judged", [](const LookUpRow& row) { return std::to_string(row.errors.pixels); }},
+        pictureError("angle_degrees_mean", &ParallaxErrors::mean),
+        pictureError("angle_degrees_p95", &ParallaxErrors::p95),
+        pictureError("angle_degrees_max", &ParallaxErrors::max),
+        pictureError("wrong_surface_percent", &ParallaxErrors::wrongPercent),
+        pictureError("wrong_surface_percent_grazing", &ParallaxErrors::grazingWrongPercent),
+        pictureError("psnr_db", &ParallaxErrors::psnr),
+        pictureError("flip", &ParallaxErrors::flip),
+    };
+}
+
+template <class RowType>
+void write(std::ostream& out, const std::vector<Column<RowType>>& columns, const std::vector<RowType>& rows)
+{
+    for (std::size_t index = 0; index < columns.size(); ++index)
+        out << (index > 0 ? "," : "") << columns[index].name;
+    out << '\n';
+    for (const RowType& row : rows) {
+        for (std::size_t index = 0; index < columns.size(); ++index)
+            out << (index > 0 ? "," : "") << columns[index].text(row);
+        out << '\n';
+    }
+}
+
 } // namespace
 
 void writeCsv(std::ostream& out, const std::vector<Row>& rows)
 {
-    const std::vector<Column> all = columns();
-    for (std::size_t index = 0; index < all.size(); ++index)
-        out << (index > 0 ? "," : "") << all[index].name;
-    out << '\n';
-    for (const Row& row : rows) {
-        for (std::size_t index = 0; index < all.size(); ++index)
-            out << (index > 0 ? "," : "") << all[index].text(row);
-        out << '\n';
-    }
+    write(out, captureColumns(), rows);
+}
+
+void writeCsv(std::ostream& out, const std::vector<LookUpRow>& rows)
+{
+    write(out, lookUpColumns(), rows);
 }
 
 } // namespace tests::benchmark

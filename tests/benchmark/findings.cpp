@@ -41,77 +41,87 @@ bool isMethod(const Row& row, std::string_view name)
     return !row.entry.rival && row.entry.methodName() == name;
 }
 
-class Aims
+std::string nameOf(const Group& group)
 {
-public:
-    explicit Aims(const Rows& group) : group_(group)
-    {
-        const Row& row = *group.front();
-        scene_ = std::string(row.group.scene->name) + (row.group.cullBackFaces ? ", back faces culled" : "");
-        const auto automatic = [](Sizing sizing) {
-            return [=](const Row& each) {
-                return isMethod(each, "automatic") && isTennisBall(each) && each.entry.sizing == sizing;
-            };
-        };
-        addRatio("automatic tennis-ball / best cube, equal angle",
-                 cheapest(group, automatic(Sizing::equalAngle)), 0.9);
-        addRatio("automatic tennis-ball / best cube, equal texels",
-                 cheapest(group, automatic(Sizing::equalTexels)), 1.1);
-        const Row* exact = tennisBall("exact");
-        addQuotient("exact / tessellated", exact, tennisBall("tessellated"), 1.0);
-        if (row.group.scene->name == "crowd-200k")
-            addQuotient("exact / perVertex", exact, tennisBall("perVertex"), 2.0);
-        addFewerWrong(exact, tennisBall("tessellated"));
-        addVertexRuns(tennisBall("automatic"));
-    }
+    return std::string(group.scene->name) + (group.cullBackFaces ? ", back faces culled" : "");
+}
 
-    const std::vector<Aim>& all() const { return aims_; }
+const Row* automatic(const Rows& group, Sizing sizing)
+{
+    return cheapest(group, [=](const Row& row) {
+        return isMethod(row, "automatic") && isTennisBall(row) && row.entry.sizing == sizing;
+    });
+}
 
-private:
-    const Row* tennisBall(std::string_view method) const
-    {
-        return cheapest(group_, [&](const Row& row) {
-            return isMethod(row, method) && row.entry.map == MapKind::tennisBall &&
-                   row.entry.sizing == Sizing::equalTexels;
-        });
-    }
+// At equal texels.
+const Row* find(const Rows& group, std::string_view method, MapKind map = MapKind::tennisBall)
+{
+    return cheapest(group, [=](const Row& row) {
+        return isMethod(row, method) && row.entry.map == map && row.entry.sizing == Sizing::equalTexels;
+    });
+}
 
-    void addRatio(const char* what, const Row* row, double limit)
-    {
-        if (row != nullptr)
-            aims_.push_back({scene_, what, row->cpuRatioToBest, limit});
-    }
+std::optional<double> ratioToBest(const Row* row)
+{
+    return row != nullptr ? std::optional(row->cpuRatioToBest) : std::nullopt;
+}
 
-    void addQuotient(const char* what, const Row* row, const Row* to, double limit)
-    {
-        if (row != nullptr && to != nullptr)
-            aims_.push_back({scene_, what, row->timing.cpu.median / to->timing.cpu.median, limit});
-    }
+std::optional<double> quotient(const Row* row, const Row* to)
+{
+    if (row == nullptr || to == nullptr)
+        return std::nullopt;
+    return row->timing.cpu.median / to->timing.cpu.median;
+}
 
-    void addFewerWrong(const Row* exact, const Row* tessellated)
-    {
-        if (exact == nullptr || tessellated == nullptr || !(tessellated->errors->wrongPercent > 0.0))
-            return;
-        // None wrong counts as half a texel.
-        const double least = 50.0 / static_cast<double>(exact->errors->texels);
-        aims_.push_back({scene_, "wrong texels, tessellated / exact",
-                         tessellated->errors->wrongPercent / std::max(exact->errors->wrongPercent, least),
-                         100.0, true});
-    }
+std::optional<double> fewerWrong(const Row* exact, const Row* tessellated)
+{
+    if (exact == nullptr || tessellated == nullptr || !(tessellated->errors->wrongPercent > 0.0))
+        return std::nullopt;
+    const double least =
+        50.0 / static_cast<double>(exact->errors->texels); // none wrong counts as half a texel
+    return tessellated->errors->wrongPercent / std::max(exact->errors->wrongPercent, least);
+}
 
-    void addVertexRuns(const Row* automatic)
-    {
-        if (automatic != nullptr && automatic->work.vertexShaderRuns)
-            aims_.push_back({scene_, "vertex-shader runs a vertex, automatic",
-                             static_cast<double>(*automatic->work.vertexShaderRuns) /
-                                 static_cast<double>(automatic->sceneVertices),
-                             1.15});
-    }
+std::optional<double> vertexRuns(const Row* row)
+{
+    if (row == nullptr || !row->work.vertexShaderRuns)
+        return std::nullopt;
+    return static_cast<double>(*row->work.vertexShaderRuns) / static_cast<double>(row->sceneVertices);
+}
 
-    const Rows& group_;
-    std::string scene_;
-    std::vector<Aim> aims_;
+constexpr AimInfo infos[aimCount] = {
+    {"automatic tennis-ball / best cube, equal angle", 0.9, false},
+    {"automatic tennis-ball / best cube, equal texels", 1.1, false},
+    {"exact / tessellated", 1.0, false},
+    {"wrong texels, tessellated / exact", 100.0, true},
+    {"exact / perVertex", 2.0, false},
+    {"vertex-shader runs a vertex, automatic", 1.15, false},
 };
+
+Aims aimsOfGroup(const Rows& group)
+{
+    const Row* const exact = find(group, "exact");
+    const Row* const tessellated = find(group, "tessellated");
+    // The aim is for this scene alone.
+    const bool isCrowd = group.front()->group.scene->name == "crowd-200k";
+    return {nameOf(group.front()->group),
+            {ratioToBest(automatic(group, Sizing::equalAngle)),
+             ratioToBest(automatic(group, Sizing::equalTexels)), quotient(exact, tessellated),
+             fewerWrong(exact, tessellated),
+             isCrowd ? quotient(exact, find(group, "perVertex")) : std::nullopt,
+             vertexRuns(find(group, "automatic"))}};
+}
+
+// The groups that the aims are for: the first size of each scene.
+std::vector<Rows> aimedAt(const std::vector<Row>& rows)
+{
+    std::vector<Rows> groups = groupsOf(rows);
+    std::erase_if(groups, [&](const Rows& group) {
+        const Group& of = group.front()->group;
+        return of.cubeN != rows.front().group.cubeN || of.isRivalCheck;
+    });
+    return groups;
+}
 
 } // namespace
 
@@ -126,16 +136,43 @@ std::vector<RivalCheck> rivalChecksOf(const std::vector<Row>& rows)
     return checks;
 }
 
-std::vector<Aim> aimsOf(const std::vector<Row>& rows)
+std::span<const AimInfo, aimCount> aimInfos()
 {
-    std::vector<Aim> aims;
-    for (const Rows& group : groupsOf(rows)) {
-        if (group.front()->group.cubeN != rows.front().group.cubeN)
-            continue;
-        const Aims ofGroup(group);
-        aims.insert(aims.end(), ofGroup.all().begin(), ofGroup.all().end());
-    }
+    return infos;
+}
+
+std::vector<Aims> aimsOf(const std::vector<Row>& rows)
+{
+    std::vector<Aims> aims;
+    for (const Rows& group : aimedAt(rows))
+        aims.push_back(aimsOfGroup(group));
     return aims;
+}
+
+std::vector<Profile> profilesOf(const std::vector<Row>& rows)
+{
+    std::vector<Profile> profiles;
+    for (const Rows& group : aimedAt(rows)) {
+        const Aims aims = aimsOfGroup(group);
+        const auto misses = [&](std::size_t aim) {
+            return aims.measured[aim] && !infos[aim].isReached(*aims.measured[aim]);
+        };
+        if (!misses(0) && !misses(1))
+            continue;
+        Profile profile{aims.scene, {}};
+        const auto add = [&](const char* what, const Row* row) {
+            if (row != nullptr)
+                profile.lines.push_back({what, row});
+        };
+        add("best cube by hand", cheapest(group, [](const Row& row) { return row.entry.rival.has_value(); }));
+        add("the library's cube, automatic", find(group, "automatic", MapKind::cube));
+        add("tennis-ball, perVertex, equal texels", find(group, "perVertex"));
+        add("tennis-ball, automatic, equal texels", find(group, "automatic"));
+        add("tennis-ball, exact, equal texels", find(group, "exact"));
+        add("cheaper of both tennis-balls, automatic, equal angle", automatic(group, Sizing::equalAngle));
+        profiles.push_back(std::move(profile));
+    }
+    return profiles;
 }
 
 std::vector<Finding> findingsOf(const std::vector<Row>& rows)
@@ -144,7 +181,7 @@ std::vector<Finding> findingsOf(const std::vector<Row>& rows)
     for (const Rows& group : groupsOf(rows)) {
         const double widest = group.front()->measures.worstDiagonal; // a rival's
         const Row* const best = cheapest(group, [&](const Row& row) {
-            return !row.entry.rival && row.errors->wrongPercent <= rightPercent &&
+            return !row.entry.rival && row.errors && row.errors->wrongPercent <= rightPercent &&
                    row.measures.worstDiagonal <= widest;
         });
         if (best != nullptr)

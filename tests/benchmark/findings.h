@@ -3,6 +3,9 @@
 
 #include "run.h"
 
+#include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,16 +22,38 @@ struct RivalCheck
 };
 std::vector<RivalCheck> rivalChecksOf(const std::vector<Row>& rows);
 
-// An aim of the project in one scene, at n = 256 or the first size that was run.
-struct Aim
+// An aim of the project.
+struct AimInfo
 {
-    std::string scene, what;
-    double measured, limit;
-    bool atLeast = false;
+    const char* what;
+    double limit;
+    bool atLeast; // or else at most
 
-    bool isReached() const { return atLeast ? measured >= limit : measured <= limit; }
+    bool isReached(double measured) const { return atLeast ? measured >= limit : measured <= limit; }
 };
-std::vector<Aim> aimsOf(const std::vector<Row>& rows);
+inline constexpr std::size_t aimCount = 6;
+std::span<const AimInfo, aimCount> aimInfos();
+
+// What a scene has of them, at n = 256 or the first size that was run; empty where it was not measured.
+struct Aims
+{
+    std::string scene;
+    std::array<std::optional<double>, aimCount> measured; // in the order of aimInfos()
+};
+std::vector<Aims> aimsOf(const std::vector<Row>& rows);
+
+// From the best cube by hand to the library's tennis-ball map step by step, where `automatic` misses its aims on cost.
+struct ProfileLine
+{
+    std::string what;
+    const Row* row;
+};
+struct Profile
+{
+    std::string scene;
+    std::vector<ProfileLine> lines;
+};
+std::vector<Profile> profilesOf(const std::vector<Row>& rows);
 
 // A map is right where no more texels than this are wrong.
 inline constexpr double rightPercent = 0.01;

@@ -1,6 +1,8 @@
 // benchmark: run time against error of every map and method, beside hand-written cube maps, in one run.
 #include "command_line.h"
 #include "findings.h"
+#include "freed_memory.h"
+#include "look_up_run.h"
 #include "output.h"
 #include "plan.h"
 #include "run.h"
@@ -39,23 +41,38 @@ void printChecks(const std::vector<Row>& rows)
                   << check.expected << (check.isKept() ? ": kept\n" : ": NOT KEPT\n");
 }
 
+void measureAll(const Options& options, Circumstances circumstances)
+{
+    std::vector<Group> plan;
+    std::vector<LookUpGroup> lookUpPlan;
+    if (options.part != Part::lookUps)
+        plan = makePlan(options, circumstances.missingScenes);
+    if (options.part != Part::captures)
+        lookUpPlan = makeLookUpPlan(options, circumstances.missingScenes);
+    if (plan.empty() && lookUpPlan.empty())
+        throw mirrorball::Error(mirrorball::ErrorKind::notFound, "the scenes of a benchmark",
+                                "none of their files is there", "install assimp-testmodels and glmark2-data");
+    Results results;
+    Progress progress(stepsOf(plan, options.frames) + stepsOf(lookUpPlan, options.frames));
+    results.captures = run(plan, options.frames, progress, [&](const std::vector<Row>& rows) {
+        writeFiles(options.folder, {rows, {}}, circumstances);
+    });
+    results.lookUps =
+        runLookUps(lookUpPlan, options.frames, progress, [&](const std::vector<LookUpRow>& rows) {
+            writeFiles(options.folder, {results.captures, rows}, circumstances);
+        });
+    circumstances.isComplete = true;
+    writeFiles(options.folder, results, circumstances);
+    printChecks(results.captures);
+}
+
 void runAll(const Options& options, const std::string& command)
 {
     requireAllowed(options);
     makeFolder(options.folder);
+    keepFreedMemory();
     const mirrorball::headless::Context context;
-    std::vector<std::string> missing;
-    const std::vector<Group> plan = makePlan(options, missing);
-    if (plan.empty())
-        throw mirrorball::Error(mirrorball::ErrorKind::notFound, "the scenes of a benchmark",
-                                "none of their files is there", "install assimp-testmodels and glmark2-data");
-    std::vector<Row> rows;
-    {
-        Progress progress(stepsOf(plan, options.frames));
-        rows = run(plan, options.frames, progress);
-    }
-    writeFiles(options.folder, rows, {context.description(), command, options.frames, missing});
-    printChecks(rows);
+    measureAll(options, {context.description(), command, options.frames, {}});
     std::cout << options.folder << "/README.md\n";
 }
 
@@ -93,7 +110,7 @@ int main(int argc, char** argv)
                  "the library, beside cube maps written by hand."};
     app.name("benchmark");
     std::vector<std::pair<std::string, std::string>> scenes, methods;
-    for (const SceneChoice& scene : sceneChoices())
+    for (const SceneChoice& scene : sceneChoices()) // those with a mirror are among them
         scenes.emplace_back(scene.name, scene.name);
     for (const LibraryMethod& method : libraryMethods())
         methods.emplace_back(method.name, method.name);
@@ -101,6 +118,9 @@ int main(int argc, char** argv)
     for (const mirrorball::MapInfo& info : mirrorball::maps())
         maps.emplace_back(info.name, info.kind);
     app.add_flag("--quick", options.quick, "fewer scenes, maps and frames: within two minutes");
+    const std::vector<std::pair<std::string, Part>> parts = {
+        {"both", Part::both}, {"captures", Part::captures}, {"look-ups", Part::lookUps}};
+    examples::addChoice(app, "--part", options.part, parts, "what is measured");
     addList(app, "--scene", options.scenes, scenes, "a scene");
     addList(app, "--map", options.maps, maps, "a map");
     addList(app, "--method", options.methods, methods, "a method");

@@ -2,10 +2,12 @@
 
 #include "csv.h"
 #include "plot.h"
+#include "report.h"
 
 #include <mirrorball/error.h>
 
 #include <fstream>
+#include <functional>
 
 namespace tests::benchmark {
 
@@ -18,6 +20,13 @@ void requireWritten(bool isWritten, const std::filesystem::path& path)
                                 "it cannot be written", "name a folder that can");
 }
 
+void writeFile(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write)
+{
+    std::ofstream out(path);
+    write(out);
+    requireWritten(static_cast<bool>(out.flush()), path);
+}
+
 } // namespace
 
 void makeFolder(const std::filesystem::path& folder)
@@ -27,17 +36,18 @@ void makeFolder(const std::filesystem::path& folder)
     requireWritten(!problem && std::filesystem::is_directory(folder), folder);
 }
 
-void writeFiles(const std::filesystem::path& folder, const std::vector<Row>& rows,
+void writeFiles(const std::filesystem::path& folder, const Results& results,
                 const Circumstances& circumstances)
 {
-    const std::filesystem::path table = folder / "benchmark.csv", summary = folder / "README.md";
-    std::ofstream csv(table);
-    writeCsv(csv, rows);
-    requireWritten(static_cast<bool>(csv.flush()), table);
-    const std::vector<std::string> plots = writePlots(folder, rows);
-    std::ofstream report(summary);
-    writeReport(report, rows, circumstances, plots);
-    requireWritten(static_cast<bool>(report.flush()), summary);
+    if (!results.captures.empty())
+        writeFile(folder / "benchmark.csv", [&](std::ostream& out) { writeCsv(out, results.captures); });
+    if (!results.lookUps.empty())
+        writeFile(folder / "look_ups.csv", [&](std::ostream& out) { writeCsv(out, results.lookUps); });
+    if (!results.lookUps.empty())
+        writePlots(folder, results.lookUps);
+    else if (!results.captures.empty())
+        writePlots(folder, results.captures);
+    writeFile(folder / "README.md", [&](std::ostream& out) { writeReport(out, results, circumstances); });
 }
 
 } // namespace tests::benchmark

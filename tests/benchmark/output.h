@@ -1,7 +1,7 @@
-// The files of a run: benchmark.csv, README.md and the plots.
+// The files of a run: benchmark.csv, look_ups.csv, README.md and the plots.
 #pragma once
 
-#include "report.h"
+#include "results.h"
 
 #include <filesystem>
 
@@ -9,7 +9,10 @@ namespace tests::benchmark {
 
 // Throws mirrorball::Error, unwritable.
 void makeFolder(const std::filesystem::path& folder);
-void writeFiles(const std::filesystem::path& folder, const std::vector<Row>& rows,
+
+// Tables and summary of all that was measured, and the plots of the scene that was measured last: called after every
+// group, so that a run that is cut off leaves a whole report of what it did.
+void writeFiles(const std::filesystem::path& folder, const Results& results,
                 const Circumstances& circumstances);
 
 } // namespace tests::benchmark

@@ -41,8 +41,11 @@ struct Group
 };
 bool isSameGroup(const Group& a, const Group& b); // but for their entries
 
+enum class Part { both, captures, lookUps };
+
 struct Options
 {
+    Part part = Part::both;
     bool quick = false;
     int frames = 30;
     std::vector<std::string> scenes, methods;

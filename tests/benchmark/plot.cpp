@@ -1,302 +1,132 @@
 #include "plot.h"
 
-#include "drawing.h"
+#include "pareto_plot.h"
 
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <functional>
-#include <numbers>
 
 namespace tests::benchmark {
 
 namespace {
 
-// The picture: a square-ish field for the points, the legend to the right of it.
-constexpr int width = 960, height = 600;
-constexpr glm::vec2 fieldLow(90, 540), fieldHigh(650, 50); // y down
-constexpr float legendX = 675;
-constexpr float textSize = 13, titleSize = 16;
-constexpr float markerRadius = 6;
-constexpr glm::vec3 black(0.0f), grey(0.55f), lightGrey(0.88f);
-
-// One colour a map, in the order of MapKind; after Okabe and Ito, distinguishable without colour vision.
-constexpr glm::vec3 mapColours[] = {{0.00f, 0.45f, 0.70f}, {0.34f, 0.71f, 0.91f}, {0.90f, 0.62f, 0.00f},
-                                    {0.35f, 0.35f, 0.35f}, {0.00f, 0.62f, 0.45f}, {0.80f, 0.47f, 0.65f},
-                                    {0.84f, 0.37f, 0.00f}, {0.75f, 0.70f, 0.05f}};
-
-struct Point
-{
-    double cost, error; // the error is 0 where there is none
-    const Row* row;
-};
-
 // What is on the y axis.
+template <class RowType>
 struct Measure
 {
     const char* name; // in file names
     const char* axis;
     bool isLogarithmic;
-    double mostWrongPercent; // of the maps that are shown
-    const char* note;        // what the title says of that
-    std::function<double(const Row&)> of;
+    std::function<double(const RowType&)> of;
 };
 
-const Measure measures[] = {
-    {"wrong_texels", "wrong texels, %", true, 100.0, "",
-     [](const Row& row) { return row.errors->wrongPercent; }},
-    {"worst_texel", "widest texel, degrees", false, 0.1, ", maps with at most 0.1 % wrong",
+constexpr double mostWrongPercent = 0.1; // of the maps whose texels' angles are compared
+
+const Measure<Row> captureMeasures[] = {
+    {"wrong_texels", "wrong texels, %", true, [](const Row& row) { return row.errors->wrongPercent; }},
+    {"worst_texel", "widest texel, degrees", false,
      [](const Row& row) { return glm::degrees(row.measures.worstDiagonal); }},
 };
 
-// Values to places along an axis: linear, or logarithmic with a tick at every power of `base`.
-struct Axis
-{
-    double low, high;
-    double base; // 0 where linear
-
-    float share(double value) const
-    {
-        const auto scale = [&](double v) { return base > 0.0 ? std::log(v) : v; };
-        return static_cast<float>((scale(value) - scale(low)) / (scale(high) - scale(low)));
-    }
-
-    std::vector<double> ticks() const
-    {
-        std::vector<double> result;
-        if (base > 0.0) {
-            for (double value = low; value <= high * 1.001; value *= base)
-                result.push_back(value);
-            return result;
-        }
-        const double rough = (high - low) / 6.0;
-        const double power = std::pow(10.0, std::floor(std::log10(rough)));
-        const double step = power * (rough / power < 2.0 ? 2.0 : rough / power < 5.0 ? 5.0 : 10.0);
-        for (double value = std::ceil(low / step) * step; value <= high + 1e-9 * step; value += step)
-            result.push_back(value);
-        return result;
-    }
+const Measure<LookUpRow> lookUpMeasures[] = {
+    {"mean_angle", "mean angle from the right surface, degrees", true,
+     [](const LookUpRow& row) { return row.errors.mean; }},
+    {"wrong_surfaces", "wrong surfaces, % of pixels", true,
+     [](const LookUpRow& row) { return row.errors.wrongPercent; }},
+    {"flip", "FLIP of the reflector's pixels", true, [](const LookUpRow& row) { return row.errors.flip; }},
 };
 
-// From the power of the base at or below `low` to the one at or above `high`.
-Axis logarithmicAxis(double low, double high, double base)
+std::string_view sceneOf(const Row& row)
 {
-    return {std::pow(base, std::floor(std::log(low) / std::log(base))),
-            std::pow(base, std::ceil(std::log(high) / std::log(base))), base};
+    return row.group.scene->name;
 }
 
-std::string label(double value)
+std::string_view sceneOf(const LookUpRow& row)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
+    return row.scene->name;
 }
 
-// The marker of the index-th method: a polygon with so many corners, turned.
-std::vector<glm::vec2> marker(std::size_t index, const glm::vec2& at, float radius)
+template <class RowType, std::size_t count>
+std::vector<std::string> namesOf(const std::vector<RowType>& rows, const Measure<RowType> (&measures)[count])
 {
-    constexpr struct
-    {
-        int corners;
-        float turn; // radians
-    } shapes[] = {{24, 0.0f}, {4, 0.785f}, {3, -1.571f}, {4, 0.0f}, {3, 1.571f}, {5, -1.571f}, {6, 0.0f}};
-    const auto& shape = shapes[index % std::size(shapes)];
-    std::vector<glm::vec2> points;
-    for (int corner = 0; corner < shape.corners; ++corner) {
-        const float angle = shape.turn + 2.0f * std::numbers::pi_v<float> * static_cast<float>(corner) /
-                                             static_cast<float>(shape.corners);
-        points.push_back(at + radius * glm::vec2(std::cos(angle), std::sin(angle)));
+    std::vector<std::string> names;
+    std::string_view scene;
+    for (const RowType& row : rows) {
+        if (sceneOf(row) == scene)
+            continue;
+        scene = sceneOf(row);
+        for (const Measure<RowType>& measure : measures)
+            names.push_back(std::string(scene) + "_" + measure.name);
     }
-    return points;
+    return names;
 }
 
-void drawMarker(Drawing& drawing, std::size_t shape, const glm::vec2& at, const glm::vec3& colour,
-                bool filled)
+// Rows of a scene stand together.
+template <class RowType>
+std::vector<const RowType*> lastScene(const std::vector<RowType>& rows)
 {
-    drawing.polygon(marker(shape, at, markerRadius), colour);
-    if (!filled)
-        drawing.polygon(marker(shape, at, 0.55f * markerRadius), glm::vec3(1.0f));
+    std::vector<const RowType*> result;
+    for (const RowType& row : rows)
+        if (sceneOf(row) == sceneOf(rows.back()))
+            result.push_back(&row);
+    return result;
 }
-
-class ParetoPlot
-{
-public:
-    ParetoPlot(const Measure& measure, std::vector<Point> points)
-        : measure_(measure), points_(std::move(points)), drawing_(width, height)
-    {
-        for (const Point& point : points_)
-            if (std::find(methods_.begin(), methods_.end(), point.row->entry.methodName()) == methods_.end())
-                methods_.push_back(point.row->entry.methodName());
-        setAxes();
-        drawAxes();
-        drawFront();
-        for (const Point& point : points_)
-            drawMarker(drawing_, shapeOf(*point.row), place(point), colourOf(*point.row),
-                       point.row->entry.sizing == Sizing::equalTexels);
-        drawLegend();
-    }
-
-    const Drawing& drawing() const { return drawing_; }
-
-private:
-    // Zero errors stand on the lowest line of a logarithmic axis.
-    void setAxes()
-    {
-        double cheapest = 1.0, dearest = 1.0, most = 0.0, least = std::numeric_limits<double>::infinity();
-        for (const Point& point : points_) {
-            cheapest = std::min(cheapest, point.cost);
-            dearest = std::max(dearest, point.cost);
-            most = std::max(most, point.error);
-            if (point.error > 0.0)
-                least = std::min(least, point.error);
-        }
-        cost_ = logarithmicAxis(cheapest, 1.02 * dearest, 2.0);
-        if (!measure_.isLogarithmic)
-            error_ = {0.9 * least, 1.05 * most, 0.0};
-        else if (most > 0.0)
-            error_ = logarithmicAxis(0.1 * least, most, 10.0);
-        else
-            error_ = {0.001, 1.0, 10.0}; // nothing is wrong anywhere
-    }
-
-    glm::vec2 place(const Point& point) const
-    {
-        const double error = measure_.isLogarithmic && !(point.error > 0.0) ? error_.low : point.error;
-        return {std::lerp(fieldLow.x, fieldHigh.x, cost_.share(point.cost)),
-                std::lerp(fieldLow.y, fieldHigh.y, error_.share(error))};
-    }
-
-    std::size_t shapeOf(const Row& row) const
-    {
-        return static_cast<std::size_t>(std::find(methods_.begin(), methods_.end(), row.entry.methodName()) -
-                                        methods_.begin());
-    }
-
-    static glm::vec3 colourOf(const Row& row)
-    {
-        return row.entry.rival ? black : mapColours[static_cast<std::size_t>(row.entry.map)];
-    }
-
-    void drawAxes()
-    {
-        for (const double tick : cost_.ticks()) {
-            const float x = std::lerp(fieldLow.x, fieldHigh.x, cost_.share(tick));
-            drawing_.line({{x, fieldLow.y}, {x, fieldHigh.y}}, lightGrey, 1);
-            drawing_.text({x, fieldLow.y + 20}, label(tick), textSize, Anchor::middle);
-        }
-        for (const double tick : error_.ticks()) {
-            const float y = std::lerp(fieldLow.y, fieldHigh.y, error_.share(tick));
-            drawing_.line({{fieldLow.x, y}, {fieldHigh.x, y}}, lightGrey, 1);
-            const bool isZero = measure_.isLogarithmic && tick == error_.low;
-            drawing_.text({fieldLow.x - 8, y + 4}, isZero ? "0" : label(tick), textSize, Anchor::end);
-        }
-        drawing_.line({{fieldLow.x, fieldHigh.y}, fieldLow, {fieldHigh.x, fieldLow.y}}, black, 1.5f);
-        drawing_.text({0.5f * (fieldLow.x + fieldHigh.x), fieldLow.y + 45},
-                      "CPU time of pass 1, six-pass culled cube = 1", textSize, Anchor::middle);
-        drawing_.text({30, 0.5f * (fieldLow.y + fieldHigh.y)}, measure_.axis, textSize, Anchor::middle, black,
-                      true);
-        const Row& row = *points_.front().row;
-        drawing_.text({fieldLow.x, 30},
-                      std::string(row.group.scene->name) + ", " + std::to_string(row.sceneTriangles) +
-                          " triangles, cube n = " + std::to_string(row.group.cubeN) + measure_.note,
-                      titleSize);
-    }
-
-    // Those that no other beats in both cost and error, as stairs.
-    void drawFront()
-    {
-        std::vector<Point> sorted = points_;
-        std::sort(sorted.begin(), sorted.end(), [](const Point& a, const Point& b) {
-            return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
-        });
-        std::vector<glm::vec2> stairs;
-        double least = std::numeric_limits<double>::infinity();
-        for (const Point& point : sorted) {
-            if (point.error >= least)
-                continue;
-            least = point.error;
-            const glm::vec2 at = place(point);
-            stairs.push_back(stairs.empty() ? glm::vec2(at.x, fieldHigh.y)
-                                            : glm::vec2(at.x, stairs.back().y));
-            stairs.push_back(at);
-        }
-        stairs.push_back({fieldHigh.x, stairs.back().y});
-        drawing_.line(std::move(stairs), {0.85f, 0.1f, 0.1f}, 2);
-    }
-
-    void legendLine(float& y, std::size_t shape, const glm::vec3& colour, bool filled,
-                    const std::string& text)
-    {
-        drawMarker(drawing_, shape, {legendX, y - 5}, colour, filled);
-        drawing_.text({legendX + 14, y}, text, textSize);
-        y += 20;
-    }
-
-    void drawLegend()
-    {
-        float y = fieldHigh.y + 10;
-        for (const bool byHand : {true, false}) {
-            drawing_.text({legendX - 6, y}, byHand ? "by hand, black" : "mirrorball, by method", textSize);
-            y += 20;
-            for (std::size_t method = 0; method < methods_.size(); ++method) {
-                const auto used = std::find_if(points_.begin(), points_.end(), [&](const Point& point) {
-                    return point.row->entry.rival.has_value() == byHand && shapeOf(*point.row) == method;
-                });
-                if (used != points_.end())
-                    legendLine(y, method, byHand ? black : grey, true, methods_[method]);
-            }
-            y += 8;
-        }
-        drawing_.text({legendX - 6, y}, "mirrorball, by map", textSize);
-        y += 20;
-        for (const mirrorball::MapInfo& info : mirrorball::maps()) {
-            const auto used = std::find_if(points_.begin(), points_.end(), [&](const Point& point) {
-                return !point.row->entry.rival && point.row->entry.map == info.kind;
-            });
-            if (used != points_.end())
-                legendLine(y, 0, mapColours[static_cast<std::size_t>(info.kind)], true,
-                           std::string(info.name));
-        }
-        y += 8;
-        legendLine(y, 0, grey, true, "as many texels as the cube");
-        legendLine(y, 0, grey, false, "no texel wider than the cube's");
-        drawing_.line({{legendX - 7, y - 5}, {legendX + 7, y - 5}}, {0.85f, 0.1f, 0.1f}, 2);
-        drawing_.text({legendX + 14, y}, "Pareto front", textSize);
-    }
-
-    const Measure& measure_;
-    std::vector<Point> points_;
-    std::vector<std::string> methods_; // the marker's shape is the index
-    Axis cost_{}, error_{};
-    Drawing drawing_;
-};
 
 } // namespace
 
-std::vector<std::string> writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows)
+void writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows)
 {
-    std::vector<std::string> names;
-    for (auto first = rows.begin(); first != rows.end();) {
-        const SceneChoice* const scene = first->group.scene;
-        const int cubeN = first->group.cubeN;
-        for (const Measure& measure : measures) {
-            std::vector<Point> points;
-            for (const Row& row : rows)
-                if (row.group.scene == scene && row.group.cubeN == cubeN && !row.group.cullBackFaces &&
-                    row.errors && row.errors->wrongPercent <= measure.mostWrongPercent)
-                    points.push_back({row.cpuRatio, measure.of(row), &row});
-            if (points.empty())
-                continue;
-            const ParetoPlot plot(measure, points);
-            names.push_back(std::string(scene->name) + "_" + measure.name);
-            plot.drawing().writeSvg(folder / (names.back() + ".svg"));
-            plot.drawing().writePng(folder / (names.back() + ".png"));
-        }
-        first = std::find_if(first, rows.end(), [&](const Row& row) { return row.group.scene != scene; });
+    const std::vector<const Row*> scene = lastScene(rows);
+    const Row& first = *scene.front();
+    for (const Measure<Row>& measure : captureMeasures) {
+        std::vector<PlotPoint> points;
+        for (const Row* row : scene)
+            if (row->group.cubeN == first.group.cubeN && !row->group.cullBackFaces && row->errors &&
+                (measure.isLogarithmic || row->errors->wrongPercent <= mostWrongPercent))
+                points.push_back({row->cpuRatio, measure.of(*row), row->entry.methodName(),
+                                  row->entry.rival ? std::nullopt : std::optional(row->entry.map),
+                                  row->entry.sizing == Sizing::equalTexels});
+        if (points.empty())
+            continue;
+        writeParetoPlot(folder / (std::string(sceneOf(first)) + "_" + measure.name),
+                        {std::string(sceneOf(first)) + ", " + std::to_string(first.sceneTriangles) +
+                             " triangles, cube n = " + std::to_string(first.group.cubeN) +
+                             (measure.isLogarithmic ? "" : ", maps with at most 0.1 % wrong"),
+                         "CPU time of pass 1, six-pass culled cube = 1", measure.axis, measure.isLogarithmic,
+                         "method", "as many texels as the cube", "no texel wider than the cube's"},
+                        points);
     }
-    return names;
+}
+
+void writePlots(const std::filesystem::path& folder, const std::vector<LookUpRow>& rows)
+{
+    const std::vector<const LookUpRow*> scene = lastScene(rows);
+    const LookUpRow& first = *scene.front();
+    const std::string name(sceneOf(first)), n = std::to_string(first.cubeN);
+    for (const Measure<LookUpRow>& measure : lookUpMeasures) {
+        std::vector<PlotPoint> points;
+        for (const LookUpRow* row : scene)
+            points.push_back({row->ratio, measure.of(*row), std::string(nameOf(row->entry.lookup)),
+                              row->entry.isByHand ? std::nullopt : std::optional(row->entry.map),
+                              row->cubeN == first.cubeN});
+        writeParetoPlot(folder / (name + "_" + measure.name),
+                        {name + " in a ball, 1280 x 720",
+                         "CPU time of pass 1 and the ball's pixels, cube by hand, infinite, n = 256: 1",
+                         measure.axis, measure.isLogarithmic, "look-up", "as a cube of n = " + n,
+                         "of other n"},
+                        points);
+    }
+}
+
+std::vector<std::string> plotNames(const std::vector<Row>& rows)
+{
+    return namesOf(rows, captureMeasures);
+}
+
+std::vector<std::string> plotNames(const std::vector<LookUpRow>& rows)
+{
+    return namesOf(rows, lookUpMeasures);
 }
 
 } // namespace tests::benchmark

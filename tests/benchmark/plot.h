@@ -1,6 +1,7 @@
-// Pareto plots: what a contender costs, against how far it is off.
+// The Pareto plots of the report.
 #pragma once
 
+#include "look_up_run.h"
 #include "run.h"
 
 #include <filesystem>
@@ -8,9 +9,15 @@
 
 namespace tests::benchmark {
 
-// For each scene, at the cube's n of its first group and with back faces drawn: CPU time against wrong
-// texels, and against the worst texel's angle. Writes <scene>_<what>.svg and .png into the folder; returns
-// the names without ending.
-std::vector<std::string> writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows);
+// The plots of the last scene in the rows, <scene>_<what>.svg and .png: at the cube's n of its first group and with back
+// faces drawn, CPU time of pass 1 against wrong texels, and against the worst texel's angle.
+void writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows);
+
+// Of the last scene with a mirror: CPU time of both passes against the errors of the picture.
+void writePlots(const std::filesystem::path& folder, const std::vector<LookUpRow>& rows);
+
+// The names, without ending, of all scenes' plots.
+std::vector<std::string> plotNames(const std::vector<Row>& rows);
+std::vector<std::string> plotNames(const std::vector<LookUpRow>& rows);
 
 } // namespace tests::benchmark

@@ -71,7 +71,7 @@ bool touches(const Face& face, const mirrorball::Sphere& sphere)
     return true;
 }
 
-Texture makeCube(int n, GLenum internalFormat, GLenum format)
+Texture makeCube(int n, GLenum internalFormat, GLenum format, GLint filter = GL_LINEAR)
 {
     Texture texture = Texture::create();
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture.name());
@@ -79,12 +79,13 @@ Texture makeCube(int n, GLenum internalFormat, GLenum format)
         glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, static_cast<GLint>(internalFormat), n, n, 0,
                      format, GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, filter);
     return texture;
 }
 
 // What all of them share: textures, framebuffers, the program and the state to draw with.
-class CubeRival : public Contender
+class CubeRival : public CubeMapContender
 {
 public:
     CubeRival(Rival rival, const Stage& stage, int n, bool cullBackFaces, examples::View view,
@@ -92,6 +93,8 @@ public:
 
     Work draw() override;
     MapImages read() const override;
+    unsigned int colourTexture() const override { return colour_.name(); }
+    unsigned int distanceTexture() const override { return distance_.name(); }
 
 private:
     void attach(const Framebuffer& framebuffer, const std::function<void(GLenum, GLuint)>& attachment) const;
@@ -124,7 +127,7 @@ CubeRival::CubeRival(Rival rival, const Stage& stage, int n, bool cullBackFaces,
     } else {
         const bool wide = view != examples::View::colour; // positions and triangle numbers need whole floats
         colour_ = makeCube(n, wide ? GL_RGBA32F : GL_RGBA16F, GL_RGBA);
-        distance_ = makeCube(n, GL_R32F, GL_RED);
+        distance_ = makeCube(n, GL_R32F, GL_RED, GL_NEAREST); // a mean of distances lies on no surface
         depth_ = makeCube(n, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
     }
     for (GLenum face = 0; face < faceCount; ++face) {
@@ -258,8 +261,8 @@ bool isSupported(Rival rival)
     return rival != Rival::layeredInstanced || epoxy_has_gl_extension("GL_ARB_shader_viewport_layer_array");
 }
 
-std::unique_ptr<Contender> makeRival(Rival rival, const Stage& stage, int n, bool cullBackFaces,
-                                     examples::View view, RivalFormats formats)
+std::unique_ptr<CubeMapContender> makeRival(Rival rival, const Stage& stage, int n, bool cullBackFaces,
+                                            examples::View view, RivalFormats formats)
 {
     return std::make_unique<CubeRival>(rival, stage, n, cullBackFaces, view, formats);
 }

@@ -31,7 +31,15 @@ std::span<const RivalInfo> rivals();
 // Whether the current context can do it: gl_Layer from a vertex shader is an extension.
 bool isSupported(Rival rival);
 
-std::unique_ptr<Contender> makeRival(Rival rival, const Stage& stage, int n, bool cullBackFaces,
-                                     examples::View view, RivalFormats formats = RivalFormats::asTheLibrary);
+class CubeMapContender : public Contender
+{
+public:
+    virtual unsigned int colourTexture() const = 0;
+    virtual unsigned int distanceTexture() const = 0; // infinite where nothing was drawn
+};
+
+std::unique_ptr<CubeMapContender> makeRival(Rival rival, const Stage& stage, int n, bool cullBackFaces,
+                                            examples::View view,
+                                            RivalFormats formats = RivalFormats::asTheLibrary);
 
 } // namespace tests::benchmark

@@ -124,7 +124,8 @@ double stepsOf(const std::vector<Group>& plan, int frames)
     return steps;
 }
 
-std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progress)
+std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progress,
+                     const std::function<void(const std::vector<Row>&)>& afterGroup)
 {
     CapturePrograms programs;
     std::unique_ptr<LoadedScene> loaded;
@@ -136,6 +137,7 @@ std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progr
             loaded = std::make_unique<LoadedScene>(*group.scene, programs);
         }
         runGroup(group, frames, *loaded, progress, rows);
+        afterGroup(rows);
     }
     return rows;
 }

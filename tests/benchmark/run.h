@@ -8,6 +8,7 @@
 
 #include <mirrorball/maps/measures.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,9 @@ struct Row
     std::optional<double> gpuRatio;
 };
 
-std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progress);
+// `afterGroup` is called with all rows so far.
+std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progress,
+                     const std::function<void(const std::vector<Row>&)>& afterGroup);
 
 // The steps that run() will report for a plan.
 double stepsOf(const std::vector<Group>& plan, int frames);

@@ -16,6 +16,8 @@ constexpr glm::dvec3 origin(0.0);
 constexpr SceneChoice choices[] = {
     {"cards", "builtin:cards", origin, 0.1f, 3000.0f, false, true, true, 1.0, {}},
     {"room", "builtin:room", origin, 0.1f, 100.0f, true, false, false, 1.5, {}},
+    // Leaves are cut out of their triangles, which are seen from both sides.
+    {"garden", "builtin:garden", origin, 0.1f, 10000.0f, false, false, false, 2.0, {}},
     // 128 objects on a shell of radius 4 to 13 in a room.
     {"crowd-12k", "builtin:crowd:12000", origin, 0.1f, 100.0f, true, true, false, 1.2, 0.86},
     {"crowd-100k", "builtin:crowd:100000", origin, 0.1f, 100.0f, true, true, true, 2.5, 0.65},

@@ -1,4 +1,6 @@
 // A run of the benchmark in small: its files appear, its counts are exact, its ratios are numbers.
+#include "look_up_report.h"
+#include "look_up_run.h"
 #include "output.h"
 #include "plan.h"
 #include "run.h"
@@ -33,6 +35,15 @@ Options tinyOptions()
     options.methods = {"exact", "perVertex"};
     options.sizes = {n};
     options.frames = 2;
+    return options;
+}
+
+Options tinyLookUps()
+{
+    Options options;
+    options.scenes = {"room"};
+    options.maps = {MapKind::cube};
+    options.sizes = {256};
     return options;
 }
 
@@ -88,20 +99,49 @@ void errorsAreTold(const std::vector<Row>& rows)
     CHECK(find(rows, MapKind::tennisBall, "exact").errors->wrongPercent < 0.1);
 }
 
-void filesAppear(const std::filesystem::path& folder, const std::vector<Row>& rows)
+std::size_t linesOf(const std::filesystem::path& path)
 {
-    std::ifstream csv(folder / "benchmark.csv");
+    std::ifstream file(path);
     std::size_t lines = 0;
-    for (std::string line; std::getline(csv, line);)
+    for (std::string line; std::getline(file, line);)
         ++lines;
-    CHECK(lines == rows.size() + 1);
+    return lines;
+}
+
+void filesAppear(const std::filesystem::path& folder, const Results& results)
+{
+    CHECK(linesOf(folder / "benchmark.csv") == results.captures.size() + 1);
+    CHECK(linesOf(folder / "look_ups.csv") == results.lookUps.size() + 1);
     CHECK(std::filesystem::file_size(folder / "README.md") > 1000);
-    for (const std::string name : {"cards_wrong_texels", "cards_worst_texel"}) {
+    for (const std::string name : {"cards_wrong_texels", "cards_worst_texel", "room_mean_angle", "room_flip"})
+    {
         CHECK(std::filesystem::file_size(folder / (name + ".svg")) > 1000);
         const mirrorball::io::Image image = mirrorball::io::readImage(folder / (name + ".png"));
         CHECK(image.width == 960 && image.height == 600);
         CHECK(*std::min_element(image.pixels.begin(), image.pixels.end()) < 0.1f);
     }
+}
+
+// The order of the look-ups is known: nothing done, a box where the scene is a box with things in it, the march.
+// The library's cube and the one by hand show the same.
+void lookUpsAreJudged(const std::vector<LookUpRow>& rows)
+{
+    const auto find = [&](bool isByHand, mirrorball::Lookup lookup) -> const tests::ParallaxErrors& {
+        const auto found = std::find_if(rows.begin(), rows.end(), [&](const LookUpRow& row) {
+            return row.entry.isByHand == isByHand && row.entry.lookup == lookup;
+        });
+        CHECK(found != rows.end());
+        return found->errors;
+    };
+    using mirrorball::Lookup;
+    CHECK(rows.front().ratio == 1.0);
+    CHECK(find(true, Lookup::box).mean < 0.2 * find(true, Lookup::infinite).mean);
+    CHECK(find(false, Lookup::distance).mean < find(true, Lookup::box).mean);
+    // Both look up the same place, and a texel spans 0.35 degrees.
+    for (const Lookup lookup : {Lookup::infinite, Lookup::box})
+        CHECK_NEAR(find(false, lookup).mean, find(true, lookup).mean, 0.01);
+    for (const LookUpRow& row : rows)
+        CHECK(row.captureCpu.median > 0.0 && row.mirrorCpu.median > 0.0 && row.framesPerSecond() > 0.0);
 }
 
 void equalAngleIsTheSmallest()
@@ -127,21 +167,29 @@ void quartilesAreThoseOfTheRanks()
 int main()
 {
     const mirrorball::headless::Context context;
-    const Options options = tinyOptions();
-    std::vector<std::string> missing;
-    const std::vector<Group> plan = makePlan(options, missing);
-    CHECK(missing.empty());
-    Progress progress(stepsOf(plan, options.frames));
-    const std::vector<Row> rows = run(plan, options.frames, progress);
-    countsAreExact(rows);
-    ratiosAreNumbers(rows);
-    errorsAreTold(rows);
-
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("mirrorball_tiny_run_" + std::to_string(getpid()));
     makeFolder(folder);
-    writeFiles(folder, rows, {context.description(), "benchmark", options.frames, missing});
-    filesAppear(folder, rows);
+    Circumstances circumstances{context.description(), "benchmark", 2, {}};
+    Results results;
+
+    const std::vector<Group> plan = makePlan(tinyOptions(), circumstances.missingScenes);
+    Progress progress(stepsOf(plan, 2));
+    results.captures = run(plan, 2, progress, [&](const std::vector<Row>& rows) {
+        writeFiles(folder, {rows, {}}, circumstances);
+        CHECK(linesOf(folder / "benchmark.csv") == rows.size() + 1); // cut off here, it is all there
+    });
+    countsAreExact(results.captures);
+    ratiosAreNumbers(results.captures);
+    errorsAreTold(results.captures);
+
+    const std::vector<LookUpGroup> lookUpPlan = makeLookUpPlan(tinyLookUps(), circumstances.missingScenes);
+    CHECK(circumstances.missingScenes.empty());
+    results.lookUps = runLookUps(lookUpPlan, 2, progress, [](const std::vector<LookUpRow>&) {});
+    lookUpsAreJudged(results.lookUps);
+
+    writeFiles(folder, results, circumstances);
+    filesAppear(folder, results);
     std::filesystem::remove_all(folder);
 
     equalAngleIsTheSmallest();
