@@ -4,6 +4,7 @@
 #include "capture/copies.h"
 #include "capture/filtered_map.h"
 #include "capture/frame.h"
+#include "capture/hidden.h"
 #include "capture/layer_check.h"
 #include "capture/map_textures.h"
 #include "capture/pose.h"
@@ -240,9 +241,13 @@ void ReflectionProbe::Implementation::bindFirstLayer() const
 void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh> meshes,
                                                      const DrawMesh& draw)
 {
+    const std::vector<bool> wanted =
+        peeling ? capture::mayBeHidden(meshes, frame, static_cast<double>(desc.layerSeparation))
+                : std::vector<bool>(meshes.size(), true);
     for (int view = 0; view < capture::viewCount(desc.map); ++view)
-        for (const CaptureMesh& mesh : meshes) {
-            if (mesh.bounds && !frame.touches(view, *mesh.bounds))
+        for (std::size_t index = 0; index < meshes.size(); ++index) {
+            const CaptureMesh& mesh = meshes[index];
+            if (!wanted[index] || (mesh.bounds && !frame.touches(view, *mesh.bounds)))
                 ++report.drawsCulled;
             else
                 draw(mesh, {use(mesh, view), view, primitive()});

@@ -63,7 +63,10 @@ struct CaptureMesh
     std::uint64_t id = 0; // the host's own
     std::optional<Sphere> bounds = std::nullopt;
     float longestEdge = std::numeric_limits<float>::infinity(); // in world space
-    std::size_t triangles = 0;                                  // for the report only
+    // No part of it is nearer to the probe than this, in world units: more than bounds around the probe can tell, as of
+    // a room's walls. Spares the second layer of depth what nothing can hide.
+    std::optional<float> nearestDistance = std::nullopt;
+    std::size_t triangles = 0;  // for the report only
     bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
 };
 
@@ -82,7 +85,9 @@ enum class SideTarget { texture2d, rectangle };
 struct CaptureReport
 {
     int draws = 0;
-    int drawsCulled = 0;       // mesh-and-view pairs that were not drawn because they do not touch
+    // Mesh-and-view pairs that were not drawn, because they do not touch or because nothing can hide them from the first
+    // layer of depth.
+    int drawsCulled = 0;
     std::size_t triangles = 0; // sent, counted once for each draw
     int drawsExact = 0;        // of the draws: by exact capture …
     int drawsMapped = 0;       // … and by mapped vertices, where automatic found that enough
