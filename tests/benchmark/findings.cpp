@@ -128,11 +128,19 @@ std::vector<Rows> aimedAt(const std::vector<Row>& rows)
 std::vector<RivalCheck> rivalChecksOf(const std::vector<Row>& rows)
 {
     std::vector<RivalCheck> checks;
-    for (const Rows& group : groupsOf(rows))
-        for (const Row* row : group)
-            if (row->group.isRivalCheck && row->entry.rival == Rival::plain)
-                checks.push_back({std::string(row->group.scene->name), 1.0 / row->cpuRatio,
-                                  *row->group.scene->culledOverPlain});
+    for (const Rows& group : groupsOf(rows)) {
+        const Group& of = group.front()->group;
+        if (!of.isRivalCheck)
+            continue;
+        const auto find = [&](Rival rival) -> const Row& {
+            return *cheapest(group, [=](const Row& row) { return row.entry.rival == rival; });
+        };
+        const Row &plain = find(Rival::plain), &culled = find(Rival::culled);
+        const double longer = 1e6 * (plain.timing.cpu.median - culled.timing.cpu.median);
+        checks.push_back(
+            {std::string(of.scene->name), of.vertices, 1.0 / plain.cpuRatio, *of.scene->culledOverPlain,
+             longer / static_cast<double>(plain.work.sent.triangles - culled.work.sent.triangles)});
+    }
     return checks;
 }
 

@@ -37,8 +37,10 @@ void requireAllowed(const Options& options)
 void printChecks(const std::vector<Row>& rows)
 {
     for (const RivalCheck& check : rivalChecksOf(rows))
-        std::cout << "rival check, " << check.scene << ": culled / plain " << check.measured << ", expected "
-                  << check.expected << (check.isKept() ? ": kept\n" : ": NOT KEPT\n");
+        std::cout << "rival check, " << check.scene
+                  << (check.vertices == Vertices::own ? ", own vertices" : "") << ": culled / plain "
+                  << check.measured << ", expected " << check.expected
+                  << (check.isKept() ? ": kept\n" : ": NOT KEPT\n");
 }
 
 void measureAll(const Options& options, Circumstances circumstances)

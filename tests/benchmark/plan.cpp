@@ -37,6 +37,12 @@ void addRivals(Group& group)
     }
 }
 
+// Where a map has few triangles to draw, every frame is cheap.
+bool isSmall(const SceneChoice& scene)
+{
+    return scene.name == "cards" || scene.name == "room";
+}
+
 // What is left out, so that a run ends within reach: methods of the least interest where they were measured
 // elsewhere. A method that was asked for is never left out.
 bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const Group& group,
@@ -45,13 +51,13 @@ bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const G
     if (!options.methods.empty())
         return contains(options.methods, method.name);
     const bool isAutomatic = method.method == mirrorball::CaptureMethod::automatic;
-    const bool isPerVertex = method.method == mirrorball::CaptureMethod::perVertex;
+    const bool isExact = method.method == mirrorball::CaptureMethod::exact;
     if (method.layers == mirrorball::LayerOrder::allAtOnce)
         return !options.quick && map == MapKind::tennisBall && sizing == Sizing::equalTexels &&
                group.cubeN == mainN && !group.cullBackFaces;
-    if (!contains(mainMaps, map))
-        return isAutomatic || sizing == Sizing::equalTexels;
-    return !isPerVertex || sizing == Sizing::equalTexels;
+    if (sizing == Sizing::equalAngle) // of the tennis-ball maps, which can be right that way, `exact` as well
+        return isAutomatic || (isExact && contains(mainMaps, map));
+    return contains(mainMaps, map) || isAutomatic || isExact || isSmall(*group.scene) || options.quick;
 }
 
 void addMap(Group& group, MapKind map, const Options& options)
@@ -91,11 +97,15 @@ std::vector<MapKind> mapsAt(const SceneChoice& scene, int cubeN, bool cullBackFa
     if (cullBackFaces || cubeN != mainN)
         return {std::begin(mainMaps), std::end(mainMaps)};
     std::vector<MapKind> all;
-    // Around the sphere map's rim every triangle is bounded by the whole map: seconds a frame in a mere room.
-    const bool hasFewTriangles = scene.name == "cards";
-    for (const mirrorball::MapInfo& info : mirrorball::maps())
-        if (info.kind != MapKind::sphereMap || hasFewTriangles)
+    // Around the sphere map's rim triangles are bounded by the whole map, and around the dual paraboloid's those of
+    // models that are long: seconds a frame.
+    const bool isModel = !scene.source.starts_with("builtin:");
+    for (const mirrorball::MapInfo& info : mirrorball::maps()) {
+        const bool isSlow = info.kind == MapKind::sphereMap ? !isSmall(scene)
+                                                            : isModel && info.kind == MapKind::dualParaboloid;
+        if (!isSlow)
             all.push_back(info.kind);
+    }
     return all;
 }
 
@@ -138,7 +148,7 @@ std::string Entry::methodName() const
 bool isSameGroup(const Group& a, const Group& b)
 {
     return a.scene == b.scene && a.cubeN == b.cubeN && a.cullBackFaces == b.cullBackFaces &&
-           a.isRivalCheck == b.isRivalCheck;
+           a.isRivalCheck == b.isRivalCheck && a.vertices == b.vertices;
 }
 
 std::optional<int> equalAngleN(MapKind map, int cubeN)
@@ -170,16 +180,17 @@ std::vector<Group> makePlan(const Options& options, std::vector<std::string>& mi
             for (const bool cullBackFaces : {false, true}) {
                 if (cullBackFaces && (!scene.closed || cubeN != sizes.front()))
                     continue;
-                Group group{&scene, cubeN, cullBackFaces, false, {}};
+                Group group{&scene, cubeN, cullBackFaces, false, Vertices::shared, {}};
                 addRivals(group);
                 for (const MapKind map : mapsAt(scene, cubeN, cullBackFaces, options))
                     addMap(group, map, options);
                 groups.push_back(std::move(group));
             }
-        if (scene.culledOverPlain) {
-            groups.push_back({&scene, mainN, true, true, {}});
-            addRivals(groups.back());
-        }
+        if (scene.culledOverPlain)
+            for (const Vertices vertices : {Vertices::shared, Vertices::own}) {
+                groups.push_back({&scene, mainN, true, true, vertices, {}});
+                addRivals(groups.back());
+            }
     }
     return groups;
 }

@@ -31,12 +31,18 @@ struct Entry
     std::string methodName() const;
 };
 
+enum class Vertices {
+    shared, // as the scene has them
+    own     // every triangle has three of its own
+};
+
 struct Group
 {
     const SceneChoice* scene;
     int cubeN; // of the rivals
     bool cullBackFaces;
-    bool isRivalCheck;          // nothing but six passes, plain and culled, in 8-bit formats
+    bool isRivalCheck; // nothing but six passes, plain and culled, in 8-bit formats
+    Vertices vertices;
     std::vector<Entry> entries; // "six passes, culled" is among them
 };
 bool isSameGroup(const Group& a, const Group& b); // but for their entries

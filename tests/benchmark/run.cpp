@@ -31,12 +31,22 @@ class LoadedScene
 {
 public:
     LoadedScene(const SceneChoice& choice, CapturePrograms& programs)
-        : scene_(examples::loadScene(std::string(choice.source))), stage_(choice, scene_, programs),
-          tracer_(scene_, choice.at)
+        : programs_(programs), scene_(examples::loadScene(std::string(choice.source))),
+          stage_(choice, scene_, programs), tracer_(scene_, choice.at)
     {
     }
 
     const Stage& stage() const { return stage_; }
+    const Stage& stage(Vertices vertices)
+    {
+        if (vertices == Vertices::shared)
+            return stage_;
+        if (!ownVertices_) {
+            ownVertices_ = std::make_unique<examples::Scene>(withOwnVertices(scene_));
+            ownVerticesStage_ = std::make_unique<Stage>(stage_.choice(), *ownVertices_, programs_);
+        }
+        return *ownVerticesStage_;
+    }
 
     Errors errors(const Entry& entry, bool cullBackFaces)
     {
@@ -48,8 +58,11 @@ public:
     }
 
 private:
+    CapturePrograms& programs_;
     examples::Scene scene_;
     Stage stage_;
+    std::unique_ptr<examples::Scene> ownVertices_;
+    std::unique_ptr<Stage> ownVerticesStage_;
     examples::ReferenceTracer tracer_;
     std::map<std::pair<MapKind, int>, std::vector<TrueTexel>> truths_;
 };
@@ -87,7 +100,7 @@ double weightOf(const Group& group)
 
 void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& progress, std::vector<Row>& rows)
 {
-    const Stage& stage = loaded.stage();
+    const Stage& stage = loaded.stage(group.vertices);
     std::vector<std::unique_ptr<Contender>> contenders;
     for (const Entry& entry : group.entries)
         contenders.push_back(make(entry, stage, group.cullBackFaces, examples::View::colour));
@@ -97,7 +110,7 @@ void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& pro
     const std::size_t firstRow = rows.size();
     for (std::size_t index = 0; index < group.entries.size(); ++index) {
         Row row;
-        row.group = {group.scene, group.cubeN, group.cullBackFaces, group.isRivalCheck, {}};
+        row.group = {group.scene, group.cubeN, group.cullBackFaces, group.isRivalCheck, group.vertices, {}};
         row.entry = group.entries[index];
         row.sceneTriangles = stage.triangleCount();
         row.sceneVertices = stage.vertexCount();

@@ -38,4 +38,24 @@ std::span<const SceneChoice> sceneChoices()
     return choices;
 }
 
+examples::Scene withOwnVertices(const examples::Scene& scene)
+{
+    examples::Scene result = scene;
+    for (std::size_t index = 0; index < scene.meshes.size(); ++index) {
+        const examples::Mesh& from = scene.meshes[index];
+        examples::Mesh& to = result.meshes[index];
+        to.positions.clear();
+        to.normals.clear();
+        to.textureCoordinates.clear();
+        for (auto& triangle : to.triangles)
+            for (std::uint32_t& corner : triangle) {
+                to.positions.push_back(from.positions[corner]);
+                to.normals.push_back(from.normals[corner]);
+                to.textureCoordinates.push_back(from.textureCoordinates[corner]);
+                corner = static_cast<std::uint32_t>(to.positions.size() - 1);
+            }
+    }
+    return result;
+}
+
 } // namespace tests::benchmark

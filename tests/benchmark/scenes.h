@@ -1,6 +1,8 @@
 // The scenes that are measured, and where the probe stands in each.
 #pragma once
 
+#include "scene.h"
+
 #include <glm/vec3.hpp>
 
 #include <optional>
@@ -27,5 +29,8 @@ struct SceneChoice
 };
 
 std::span<const SceneChoice> sceneChoices();
+
+// The same triangles, none of which shares a vertex with another.
+examples::Scene withOwnVertices(const examples::Scene& scene);
 
 } // namespace tests::benchmark

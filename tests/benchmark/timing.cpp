@@ -41,8 +41,8 @@ struct Samples
     std::vector<double> wall, cpu, gpu;
 };
 
-constexpr double slowMilliseconds = 1000.0;
-constexpr int slowFrames = 2;
+constexpr double millisecondsAContender = 6000.0;
+constexpr double fewestFrames = 2.0;
 
 void addFrame(Contender& contender, const Query* elapsed, Samples& samples)
 {
@@ -85,15 +85,17 @@ std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contende
     const std::unique_ptr<Query> elapsed =
         isSoftwareRasteriser() ? nullptr : std::make_unique<Query>(GL_TIME_ELAPSED);
     std::vector<Samples> samples(contenders.size());
-    std::vector<bool> isSlow(contenders.size(), false);
+    std::vector<int> last(contenders.size(), warmUp + frames);
     for (int frame = 0; frame < warmUp + frames; ++frame)
         for (std::size_t index = 0; index < contenders.size(); ++index) {
-            const bool isLeftOut = isSlow[index] && (frame < warmUp || frame >= warmUp + slowFrames);
             Samples discarded;
-            if (!isLeftOut)
+            const bool isSlow = last[index] < warmUp + frames; // and warm by now
+            if (frame < last[index] && !(isSlow && frame < warmUp))
                 addFrame(*contenders[index], elapsed.get(), frame < warmUp ? discarded : samples[index]);
-            if (frame == 1 && !discarded.wall.empty()) // the first one also compiles
-                isSlow[index] = discarded.wall.front() > slowMilliseconds;
+            if (frame == 1 && !discarded.wall.empty()) { // the first one also compiles
+                const double affordable = millisecondsAContender / discarded.wall.front();
+                last[index] = warmUp + std::min(frames, static_cast<int>(std::max(affordable, fewestFrames)));
+            }
             afterEach();
         }
     std::vector<Timing> timings;

@@ -26,9 +26,8 @@ struct Timing
 // Whether the current context draws on the CPU.
 bool isSoftwareRasteriser();
 
-// `warmUp` frames that are not measured, then `frames`; a contender whose second frame takes longer than a
-// second is drawn only twice more, after all warm-up. `afterEach` is called after every frame of one, drawn
-// or not.
+// `warmUp` frames that are not measured, then `frames`; of a contender of which so many would take longer than six
+// seconds fewer are drawn, but two. `afterEach` is called after every frame of one, drawn or not.
 std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contenders, int warmUp, int frames,
                             const std::function<void()>& afterEach);
 
