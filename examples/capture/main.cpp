@@ -67,7 +67,7 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
     desc.background = glm::vec4(scene.background, 1.0f);
     desc.method = options.method;
     desc.epsilon = static_cast<float>(options.epsilon);
-    desc.mipLevels = false; // of the map alone a file is made
+    desc.mipLevels = desc.nearestDistances = false; // of the map alone a file is made
     mirrorball::ReflectionProbe probe(desc);
     const GlScene drawable(scene, desc.captureOrigin);
     mirrorball::CaptureProgram program({.name = "phong",

@@ -67,6 +67,8 @@ void Renderer::addMirror(const Mirror& mirror, const Options& options)
                                   .near = static_cast<float>(mirror.near),
                                   .far = static_cast<float>(options.far),
                                   .mipLevels = options.detail != mirrorball::LevelOfDetail::first,
+                                  .nearestDistances = options.lookup == mirrorball::Lookup::distance ||
+                                                      options.lookup == mirrorball::Lookup::layered,
                                   .background = glm::vec4(setup_.scene.background, 1.0f),
                                   .method = options.method,
                                   .epsilon = static_cast<float>(options.epsilon),

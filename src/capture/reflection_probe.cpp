@@ -74,7 +74,7 @@ struct ReflectionProbe::Implementation
     // The level of the distances that has blocks a quarter of n wide, 22.5 degrees; 0 for none.
     int nearestLevel() const
     {
-        return isBorrowed()
+        return isBorrowed() || !desc.nearestDistances
                    ? 0
                    : std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(desc.n))) - 3, 0);
     }

@@ -122,7 +122,7 @@ std::unique_ptr<Contender> makeLibraryContender(const LibraryMethod& method, mir
     desc.colour =
         view == View::colour ? mirrorball::ColourFormat::rgba16f : mirrorball::ColourFormat::rgba32f;
     desc.background = glm::vec4(stage.scene().background, 1.0f);
-    desc.mipLevels = false; // which no rival has
+    desc.mipLevels = desc.nearestDistances = false; // which no rival has
     desc.method = method.method;
     desc.epsilon = method.epsilon;
     desc.layers = method.layers;

@@ -245,6 +245,11 @@ void checkNearest(const tests::SixWalls& walls, MapKind map, int size)
 {
     ReflectionProbe::Desc desc = descOf(map);
     desc.n = size;
+    desc.nearestDistances = false;
+    ReflectionProbe without(desc);
+    capture(without, walls);
+    CHECK(without.map().nearestLevel == 0);
+    desc.nearestDistances = true;
     ReflectionProbe probe(desc);
     CHECK(probe.map().nearestLevel == 0); // nothing is known yet
     checkUnchanged([&] { capture(probe, walls); }, "gathering the nearest");

@@ -59,6 +59,9 @@ public:
         // Mip levels and guard texels for LevelOfDetail and for filtering across borders, in a texture of
         // their own, some 3/2 of the colours; docs/reflection.md has the cost.
         bool mipLevels = true;
+        // The nearest distances of blocks of texels, at which the look-ups `distance` and `layered` begin; without
+        // them they begin at the mirror. Other look-ups have no use for them.
+        bool nearestDistances = true;
         glm::vec4 background{0.0f, 0.0f, 0.0f, 1.0f};
         CaptureMethod method = CaptureMethod::automatic;
         float epsilon =
