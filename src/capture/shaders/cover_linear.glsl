@@ -108,18 +108,18 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec3 sag = vec3(0.0);
 #endif
     mirrorballCapture_coverTriangle(p, sag, cover);
+    if (any(beyond))
+        cover.count = 0;
 #if MIRRORBALL_CURVED
     bool small = inFront && max(max(chord.x, chord.y), chord.z) < 0.5;
     vec3 y = vec3(p[0].y, p[1].y, p[2].y) / mirrorballCapture_size.y;
     float first = inFront ? clamp(min(min(y.x, y.y), y.z), 0.0, 1.0) : 0.0;
     float last = inFront ? clamp(max(max(y.x, y.y), y.z), 0.0, 1.0) : 1.0;
     // A loop of one turn: software rasterisers leave loops that nobody enters, and the loops within, after one turn.
-    for (int turns = small ? 0 : 1; turns > 0; --turns)
+    for (int turns = small || any(beyond) ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverLarge(view, vertex, edge, first, last, cover);
 #else
-    if (any(beyond))
-        cover.count = 0;
-    else if (!inFront)
+    if (!inFront && !any(beyond))
         mirrorballCapture_coverLayer(cover);
 #endif
 }

@@ -80,15 +80,16 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     for (int k = 0; k < 3; ++k)
         texel[k] = (p[k] + 1.0) * middle;
     mirrorballCapture_coverTriangle(texel, 0.1271 * chord * chord * middle.x, cover);
+    // The layer's corners lie at z = -1/3, and the cap beyond is convex.
+    bool beyond = highest < -0.334;
+    if (beyond)
+        cover.count = 0;
 #if MIRRORBALL_CURVED
     // A loop of one turn: software rasterisers leave loops that nobody enters, and the loops within, after one turn.
-    for (int turns = straight ? 0 : 1; turns > 0; --turns)
+    for (int turns = straight || beyond ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverCurved(view, vertex, edge, p, cover);
 #else
-    // The layer's corners lie at z = -1/3, and the cap beyond is convex.
-    if (highest < -0.334)
-        cover.count = 0;
-    else if (!straight)
+    if (!straight && !beyond)
         mirrorballCapture_coverLayer(cover);
 #endif
 }
