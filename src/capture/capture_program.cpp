@@ -109,7 +109,7 @@ int smallestOutput(const Variant& variant)
     return viewsAtOnce(variant) * (variant.path == Path::exact ? 4 : 3);
 }
 
-// The strips that a triangle's covering polygon is cut into: as many as the driver has room for, up to 10,
+// The strips that a triangle's covering polygon is cut into: as many as the driver has room for, up to 6,
 // where triangles are large; one, a box, where they are small.
 int stripsOf(const CaptureProgram::Implementation& host, const Variant& variant)
 {
@@ -139,14 +139,6 @@ bool cuts(const Variant& variant)
 bool coversCurved(const Variant& variant)
 {
     return variant.large || variant.map == MapKind::equirectangular || variant.map == MapKind::octahedral;
-}
-
-// Whether the vertex stage tells the geometry stage where the map has each vertex.
-bool passesSquares(const Variant& variant)
-{
-    const bool ofLatitude = variant.map == MapKind::tennisBall || variant.map == MapKind::tennisBallEven ||
-                            variant.map == MapKind::equirectangular;
-    return variant.path == Path::exact && ofLatitude && variant.layers == LayerOrder::oneAtATime;
 }
 
 // What the shaders' #if lines ask.
@@ -180,8 +172,8 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("DROPS_SMEAR", variant.path == Path::textbook && wraps) +
            define("PERSPECTIVE", variant.path == Path::mapped || variant.path == Path::tessellated) +
            define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", together) +
-           define("SQUARES", passesSquares(variant)) + define("CURVED", coversCurved(variant)) +
-           define("PEELS", variant.peels) + coverDefines(variant.map);
+           define("CURVED", coversCurved(variant)) + define("PEELS", variant.peels) +
+           coverDefines(variant.map);
 }
 
 // The texts of one capture program, put together around the host's.
@@ -207,9 +199,8 @@ public:
         HostShader::Changes changes;
         changes.identifiers = {{"main", prefix + "hostMain"}};
         changes.removed = {"gl_PerVertex", "gl_ClipDistance"};
-        changes.prelude = ours() + (passesSquares(variant_) ? map_ : "") +
-                          (carries() ? std::string(shaders::vertexAll)
-                                     : map_ + project() + std::string(shaders::vertexOne));
+        changes.prelude = ours() + (carries() ? std::string(shaders::vertexAll)
+                                              : map_ + project() + std::string(shaders::vertexOne));
         if (host_.vertex.mentions("gl_ClipDistance")) {
             changes.identifiers.push_back({"gl_ClipDistance", prefix + "ignoredClipDistance"});
             changes.prelude += "float " + prefix + "ignoredClipDistance[8];\n";

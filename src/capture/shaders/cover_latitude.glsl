@@ -1,10 +1,6 @@
 // Maps whose coordinates are functions of latitude and longitude. Longitude runs along the strips; MIRRORBALL_PERIOD is 360
 // degrees in units of the square.
 
-#if MIRRORBALL_SQUARES
-in vec2 mirrorballCapture_square[];
-#endif
-
 // Latitude is the angle to the plane y = 0, longitude 0 is at +z.
 vec3 mirrorballCapture_local(int view, vec3 v)
 {
@@ -99,11 +95,7 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec2 square[3];
     for (int k = 0; k < 3; ++k) {
         unit[k] = normalize(mirrorballCapture_local(view, vertex[k]));
-#if MIRRORBALL_SQUARES
-        square[k] = mirrorballCapture_square[k];
-#else
         square[k] = mirrorballCapture_squareFromDirection(view, vertex[k]);
-#endif
         if (k > 0) {
             float turns = (square[k].MIRRORBALL_ALONG - square[0].MIRRORBALL_ALONG) / MIRRORBALL_PERIOD;
             square[k].MIRRORBALL_ALONG -= MIRRORBALL_PERIOD * floor(turns + 0.5);
