@@ -59,6 +59,30 @@ float longestEdgeOf(const Mesh& mesh)
     return longest;
 }
 
+// Meshes of no more triangles say how near they come, where their bounding spheres cannot.
+constexpr std::size_t fewTriangles = 64;
+
+float distanceToSegment(const glm::vec3& point, const glm::vec3& a, const glm::vec3& b)
+{
+    const glm::vec3 ab = b - a;
+    const float along = glm::dot(point - a, ab) / std::max(glm::dot(ab, ab), 1e-30f);
+    return glm::distance(point, a + std::clamp(along, 0.0f, 1.0f) * ab);
+}
+
+float distanceToTriangle(const glm::vec3& point, const std::array<glm::vec3, 3>& corner)
+{
+    const glm::vec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    float nearest = std::numeric_limits<float>::infinity();
+    bool isAbove = true; // all edges, seen along the normal
+    for (std::size_t index = 0; index < 3; ++index) {
+        const glm::vec3 &from = corner[index], &to = corner[(index + 1) % 3];
+        nearest = std::min(nearest, distanceToSegment(point, from, to));
+        isAbove = isAbove && glm::dot(glm::cross(normal, to - from), point - from) >= 0.0f;
+    }
+    const float area = glm::length(normal);
+    return isAbove && area > 0.0f ? std::abs(glm::dot(point - corner[0], normal)) / area : nearest;
+}
+
 unsigned int compile(GLenum stage, const std::string& source)
 {
     const GLuint shader = glCreateShader(stage);
@@ -140,6 +164,10 @@ GlScene::GlMesh GlScene::upload(const Mesh& mesh, const glm::dvec3& worldOffset)
     GlMesh result;
     result.bounds = boundsOf(vertices);
     result.longestEdge = longestEdgeOf(mesh);
+    if (mesh.triangles.size() <= fewTriangles)
+        for (const auto& triangle : mesh.triangles)
+            result.few.push_back({vertices[triangle[0]].position, vertices[triangle[1]].position,
+                                  vertices[triangle[2]].position});
     result.triangleCount = mesh.triangles.size();
     result.material = mesh.material;
     result.vertexArray = mirrorball::gl::VertexArray::create();
@@ -170,7 +198,18 @@ std::size_t GlScene::triangleCount() const
     return meshes_.empty() ? 0 : meshes_.back().firstTriangle + meshes_.back().triangleCount;
 }
 
-std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureProgram& program) const
+std::optional<float> GlScene::nearestDistance(const GlMesh& mesh, const glm::vec3& centre)
+{
+    if (mesh.few.empty())
+        return std::nullopt;
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const Triangle& triangle : mesh.few)
+        nearest = std::min(nearest, distanceToTriangle(centre, triangle));
+    return nearest;
+}
+
+std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureProgram& program,
+                                                            const glm::vec3& centre) const
 {
     std::vector<mirrorball::CaptureMesh> result;
     for (std::size_t index = 0; index < meshes_.size(); ++index)
@@ -178,6 +217,7 @@ std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureP
                           .id = index,
                           .bounds = meshes_[index].bounds,
                           .longestEdge = meshes_[index].longestEdge,
+                          .nearestDistance = nearestDistance(meshes_[index], centre),
                           .triangles = meshes_[index].triangleCount});
     return result;
 }

@@ -8,6 +8,8 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,8 +45,9 @@ public:
     std::size_t meshCount() const { return meshes_.size(); }
     std::size_t triangleCount() const;
 
-    // The meshes as a probe wants them; ids are indices.
-    std::vector<mirrorball::CaptureMesh> captureMeshes(mirrorball::CaptureProgram& program) const;
+    // The meshes as a probe at `centre`, relative to the origin, wants them; ids are indices.
+    std::vector<mirrorball::CaptureMesh> captureMeshes(mirrorball::CaptureProgram& program,
+                                                       const glm::vec3& centre = glm::vec3(0.0f)) const;
 
     // Sets the material's uniforms on the program in use and draws, as often as asked in one call.
     void drawMesh(std::size_t mesh, unsigned int program, const PhongView& view, int instances = 1,
@@ -52,6 +55,8 @@ public:
     void drawAll(unsigned int program, const PhongView& view) const;
 
 private:
+    using Triangle = std::array<glm::vec3, 3>;
+
     struct GlMesh
     {
         mirrorball::gl::VertexArray vertexArray;
@@ -60,9 +65,11 @@ private:
         int material;
         mirrorball::Sphere bounds;
         float longestEdge;
+        std::vector<Triangle> few; // of walls and the like, where there are no more than a few
     };
 
     static GlMesh upload(const Mesh& mesh, const glm::dvec3& worldOffset);
+    static std::optional<float> nearestDistance(const GlMesh& mesh, const glm::vec3& centre);
 
     std::vector<GlMesh> meshes_;
     std::vector<Material> materials_;

@@ -90,16 +90,17 @@ mirrorball::CaptureReport Renderer::capture(DrawnMirror& mirror)
         const GlScene* part;
         std::size_t mesh;
     };
+    const glm::dvec3 centre(mirror.probe->desc().worldFromProbe[3]);
+    const glm::vec3 centreFromOrigin(centre - setup_.origin);
     std::vector<Piece> pieces;
     std::vector<CaptureMesh> meshes;
     for (const GlScene* part : parts)
-        for (CaptureMesh mesh : part->captureMeshes(captureProgram_)) {
+        for (CaptureMesh mesh : part->captureMeshes(captureProgram_, centreFromOrigin)) {
             pieces.push_back({part, mesh.id});
             mesh.id = meshes.size();
             meshes.push_back(mesh);
         }
-    const glm::dvec3 centre(mirror.probe->desc().worldFromProbe[3]);
-    const PhongView phong{canvas_.pictureView().phong.light, glm::vec3(centre - setup_.origin)};
+    const PhongView phong{canvas_.pictureView().phong.light, centreFromOrigin};
     return mirror.probe->capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
         pieces[mesh.id].part->drawMesh(pieces[mesh.id].mesh, draw.program, phong, 1, draw.primitive);
     });

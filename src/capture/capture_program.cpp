@@ -173,7 +173,7 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("PERSPECTIVE", variant.path == Path::mapped || variant.path == Path::tessellated) +
            define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", together) +
            define("CURVED", coversCurved(variant)) + define("PEELS", variant.peels) +
-           coverDefines(variant.map);
+           define("OWN_POSITION", variant.ownPosition) + coverDefines(variant.map);
 }
 
 // The texts of one capture program, put together around the host's.
@@ -248,7 +248,7 @@ public:
         changes.globals = host_.outputs.others;
         changes.withoutLayout = {host_.outputs.colour};
         changes.removed = {"gl_FragDepth", "gl_FragCoord", "early_fragment_tests"};
-        changes.mark = carries() ? declarationMark : "";
+        changes.mark = carries() || !variant_.ownPosition ? declarationMark : "";
         for (const Varying& varying : host_.varyings)
             if (carries())
                 changes.globals.push_back(varying.statement());
@@ -268,7 +268,9 @@ public:
                            std::string(shaders::fragmentPeel) +
                            std::string(isExact() ? shaders::fragmentExact : shaders::fragmentInterpolated);
         return host_.fragment.versionLine() + host_.fragment.body(changes) + "#line 1 1\n" +
-               fragmentVaryings(host_.varyings, carriage_) + std::string(shaders::fragmentMain);
+               fragmentVaryings(host_.varyings, carriage_) +
+               (isExact() ? "" : fragmentPosition(variant_.ownPosition ? nullptr : host_.positionVarying())) +
+               std::string(shaders::fragmentMain);
     }
 
 private:
@@ -315,6 +317,7 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
         return glGetUniformLocation(result.program.name(), (prefix + name).c_str());
     };
     result.probeFromWorld = location("probeFromWorld");
+    result.centre = location("centre");
     result.view = location("view");
     result.depth = location("depth");
     result.range = location("range");
@@ -352,8 +355,19 @@ bool CaptureProgram::Implementation::fits(const capture::Variant& variant) const
     return capture::hasRoom(varyings, capture::carriageOf(variant), capture::smallestOutput(variant));
 }
 
-const capture::LinkedProgram& CaptureProgram::Implementation::program(const capture::Variant& variant)
+const capture::Varying* CaptureProgram::Implementation::positionVarying() const
 {
+    const auto found = std::find_if(varyings.begin(), varyings.end(), [&](const capture::Varying& varying) {
+        const bool isSmooth = varying.interpolation.empty() || varying.interpolation == "smooth";
+        return varying.vertexName == desc.position && varying.block.empty() && varying.type == "vec3" &&
+               varying.arraySuffix.empty() && varying.auxiliary.empty() && isSmooth;
+    });
+    return found == varyings.end() ? nullptr : &*found;
+}
+
+const capture::LinkedProgram& CaptureProgram::Implementation::program(capture::Variant variant)
+{
+    variant.ownPosition = variant.ownPosition || positionVarying() == nullptr;
     const auto found = programs.find(variant);
     if (found != programs.end())
         return found->second;

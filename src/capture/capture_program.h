@@ -32,7 +32,9 @@ struct Variant
     DepthTerm depthTerm;
     bool large; // exact: of triangles that span many degrees, worth a closely fitting polygon each
     bool withinRange = false; // linear: no part of the mesh is nearer than near or beyond far
-    bool peels = false;       // draws only what lies behind the first layer of depth; one view at a time
+    bool ownPosition =
+        true; // by mapped vertices: the distance is that of the library's own varying; else of the host's
+    bool peels = false; // draws only what lies behind the first layer of depth; one view at a time
 
     auto operator<=>(const Variant&) const = default;
 };
@@ -41,7 +43,7 @@ struct LinkedProgram
 {
     gl::Program program;
     // Uniform locations; -1 where a variant has none.
-    int probeFromWorld, view, depth, range, size, clipFromDirection, inwardPlanes, lineFromDirection,
+    int probeFromWorld, centre, view, depth, range, size, clipFromDirection, inwardPlanes, lineFromDirection,
         cullBackFaces, steps, firstDistance, layer, separation;
     bool usesClipDistances;
     bool writesDepth;
@@ -56,7 +58,10 @@ struct CaptureProgram::Implementation
     explicit Implementation(Desc givenDesc);
 
     // Compiles and links on first use. Throws Error badShader.
-    const capture::LinkedProgram& program(const capture::Variant& variant);
+    const capture::LinkedProgram& program(capture::Variant variant);
+
+    // The varying that reaches the fragment shader with what Desc::position says; null where none does.
+    const capture::Varying* positionVarying() const;
 
     // Whether the geometry stage can write all layers of a variant at once.
     bool fits(const capture::Variant& variant) const;

@@ -42,8 +42,14 @@ Frame::Frame(const ReflectionProbe::Desc& desc)
       epsilon_(static_cast<double>(desc.epsilon)),
       worldFromProbe_(rigidPose(desc.worldFromProbe).worldFromProbe),
       probeFromWorld_(inverseRelativeTo(desc.captureOrigin, worldFromProbe_)),
-      near_(nearOf(desc, rigidPose(desc.worldFromProbe).scale)), far_(desc.far)
+      captureOrigin_(desc.captureOrigin), near_(nearOf(desc, rigidPose(desc.worldFromProbe).scale)),
+      far_(desc.far)
 {
+}
+
+glm::dvec3 Frame::centre() const
+{
+    return glm::dvec3(worldFromProbe_[3]) - captureOrigin_;
 }
 
 bool Frame::touches(int view, const Sphere& bounds) const
@@ -103,8 +109,9 @@ Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
     if (isPiecewiseLinear(map_)) {
         variant.path = Path::linear;
         const double distance = glm::length(seen.centre);
-        variant.withinRange = mesh.bounds &&
-                              distance - seen.radius > static_cast<double>(near_) * (1.0 + 1e-5) &&
+        const double nearest =
+            std::max(distance - seen.radius, static_cast<double>(mesh.nearestDistance.value_or(0.0f)));
+        variant.withinRange = mesh.bounds && nearest > static_cast<double>(near_) * (1.0 + 1e-5) &&
                               distance + seen.radius < static_cast<double>(far_) * (1.0 - 1e-5);
     } else if (method_ == CaptureMethod::perVertex)
         variant.path = Path::textbook;
@@ -115,6 +122,11 @@ Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
         variant.path = Path::mapped;
     if (variant.path != Path::exact)
         variant.large = false;
+    // A position in the host's frame, interpolated before the centre is subtracted, is rounded to the centre's last digits:
+    // to 1e-5 of any distance, as near as this.
+    const bool isClose = glm::length(centre()) < 32.0 * static_cast<double>(near_);
+    const bool isInterpolated = variant.path == Path::linear || variant.path == Path::mapped;
+    variant.ownPosition = !isInterpolated || !isClose || variant.layers == LayerOrder::allAtOnce;
     return variant;
 }
 

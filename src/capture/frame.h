@@ -19,7 +19,8 @@ public:
     const glm::dmat4& probeFromWorld() const
     {
         return probeFromWorld_;
-    } // from positions relative to captureOrigin
+    }                          // from positions relative to captureOrigin
+    glm::dvec3 centre() const; // relative to captureOrigin
     float near() const { return near_; }
     float far() const { return far_; }
 
@@ -39,6 +40,7 @@ private:
     DepthTerm depthTerm_;
     double epsilon_;
     glm::dmat4 worldFromProbe_, probeFromWorld_;
+    glm::dvec3 captureOrigin_;
     float near_, far_;
 };
 

@@ -53,6 +53,8 @@ void setUniforms(const LinkedProgram& linked, const Frame& frame, MapKind map, i
 {
     const glm::mat4 matrix(frame.probeFromWorld());
     glUniformMatrix4fv(linked.probeFromWorld, 1, GL_FALSE, glm::value_ptr(matrix));
+    const glm::vec3 centre(frame.centre());
+    glUniform3fv(linked.centre, 1, glm::value_ptr(centre));
     glUniform1i(linked.view, view);
     glUniform2f(linked.range, frame.near(), frame.far());
     glUniform2f(linked.size, static_cast<float>(size.width), static_cast<float>(size.height));

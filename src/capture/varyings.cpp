@@ -71,9 +71,11 @@ Limits limitsOf(Carriage carriage, int vertices)
                       gl::integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS) / vertices})};
 }
 
-std::string onlyWhereDeclared(const Varying& varying, const std::string& lines)
+std::string onlyWhereDeclared(const Varying& varying, const std::string& lines,
+                              const std::string& otherwise = "")
 {
-    return "#ifdef " + declarationMark + std::to_string(varying.declaration) + "\n" + lines + "#endif\n";
+    return "#ifdef " + declarationMark + std::to_string(varying.declaration) + "\n" + lines +
+           (otherwise.empty() ? "" : "#else\n" + otherwise) + "#endif\n";
 }
 
 std::string qualifiers(const Varying& varying)
@@ -377,6 +379,16 @@ std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carr
         reads += onlyWhereDeclared(varying, assignment(varying, varying.name + "#", value));
     }
     return declarations + "void " + prefix + "readVaryings()\n{\n" + reads + "}\n";
+}
+
+std::string fragmentPosition(const Varying* position)
+{
+    const std::string own = "return " + prefix + "position;\n";
+    const std::string hosts =
+        position == nullptr
+            ? own
+            : onlyWhereDeclared(*position, "return " + position->name + " - " + prefix + "centre;\n", own);
+    return "vec3 " + prefix + "fromCentre()\n{\n" + hosts + "}\n";
 }
 
 } // namespace mirrorball::capture

@@ -78,4 +78,8 @@ std::string evaluationVaryings(const std::vector<Varying>& varyings);
 // host's globals.
 std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carriage);
 
+// The function fromCentre, which tells where a fragment of a mapped mesh lies from the probe's centre, in some frame:
+// from a varying of the host's with the position relative to captureOrigin, or from the library's own (null).
+std::string fragmentPosition(const Varying* position);
+
 } // namespace mirrorball::capture

@@ -64,7 +64,8 @@ struct CaptureMesh
     std::optional<Sphere> bounds = std::nullopt;
     float longestEdge = std::numeric_limits<float>::infinity(); // in world space
     // No part of it is nearer to the probe than this, in world units: more than bounds around the probe can tell, as of
-    // a room's walls. Spares the second layer of depth what nothing can hide.
+    // a room's walls. Spares the second layer of depth what nothing can hide, and cube and octahedral maps a test against
+    // the probe's near, which keeps a rasteriser from testing depth early.
     std::optional<float> nearestDistance = std::nullopt;
     std::size_t triangles = 0;  // for the report only
     bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe

@@ -198,7 +198,8 @@ vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORB
 }
 
 // The borders of the strips between `first` and `last`: at the three vertices between them, so that few strips hold a
-// corner, and evenly in between.
+// corner, and evenly in between, there at multiples of 4 texels: a block of 4 x 4 (of 2 x 2 on GPUs) that a border parts is
+// run for both sides.
 void mirrorballCapture_placeStrips(vec3 vertices, float first, float last, out float border[MIRRORBALL_STRIPS + 1])
 {
     // With fewer strips than four parts: evenly.
@@ -207,6 +208,7 @@ void mirrorballCapture_placeStrips(vec3 vertices, float first, float last, out f
     float most = max(max(v.x, v.y), v.z);
     float middle = max(min(max(v.x, v.y), v.z), min(v.x, v.y));
     float stops[5] = float[5](first, least, middle, most, last);
+    float blocks = 0.25 * mirrorballCapture_size.MIRRORBALL_ALONG;
     int done = 0;
     border[0] = first;
     for (int part = 0; part < 4; ++part) {
@@ -219,8 +221,12 @@ void mirrorballCapture_placeStrips(vec3 vertices, float first, float last, out f
         int share = int(floor(float(left) * (to - from) / max(last - from, 1e-30) + 0.5));
         share = later == 0 ? left : clamp(share, 1, max(left - later, 1));
         share = to > from || part == 3 ? min(share, left) : 0;
-        for (int index = 1; index <= share; ++index)
-            border[done + index] = mix(from, to, float(index) / float(share));
+        for (int index = 1; index < share; ++index) {
+            float place = mix(from, to, float(index) / float(share));
+            border[done + index] = clamp(floor(place * blocks + 0.5) / blocks, from, to);
+        }
+        if (share > 0)
+            border[done + share] = to;
         done += share;
     }
 }

@@ -3,14 +3,18 @@
 uniform vec2 mirrorballCapture_size;
 #endif
 uniform vec2 mirrorballCapture_range; // near, far
-in vec3 mirrorballCapture_position;
+uniform vec3 mirrorballCapture_centre; // of the probe, where the host's positions are
+in vec3 mirrorballCapture_position;    // in the probe's frame
 out float mirrorballCapture_distance;
+
+// From the library's own varying or, with one less, from the host's. Its text comes last, behind the host's names.
+vec3 mirrorballCapture_fromCentre();
 
 void mirrorballCapture_begin() {}
 
 void mirrorballCapture_end()
 {
-    float radius = length(mirrorballCapture_position);
+    float radius = length(mirrorballCapture_fromCentre());
 #if MIRRORBALL_CLIPS_RANGE
     if (radius < mirrorballCapture_range.x || radius > mirrorballCapture_range.y)
         discard;

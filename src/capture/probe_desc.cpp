@@ -1,0 +1,52 @@
+#include "capture/map_textures.h"
+#include "capture/pose.h"
+#include "capture/probe_implementation.h"
+#include "gl/context.h"
+
+#include <mirrorball/error.h>
+
+#include <epoxy/gl.h>
+
+#include <string>
+
+namespace mirrorball::capture {
+
+namespace {
+
+void requirePossibleMethod(const ReflectionProbe::Desc& desc)
+{
+    if (!(desc.epsilon > 0.0f))
+        throw Error(ErrorKind::badArgument, "a probe's epsilon", "it is " + std::to_string(desc.epsilon),
+                    "give a number of texels above 0");
+    if (desc.method == CaptureMethod::tessellated && epoxy_gl_version() < 40)
+        throw Error(ErrorKind::unsupported, "tessellated capture", "the context is older than OpenGL 4.0",
+                    "make a newer one or use exact");
+    if (desc.method == CaptureMethod::tessellated && desc.layers == LayerOrder::allAtOnce)
+        throw Error(ErrorKind::badArgument, "tessellated capture into all layers at once",
+                    "there is no such order", "draw one layer at a time or use exact");
+    const bool textbookMap = desc.map == MapKind::tennisBall || desc.map == MapKind::dualParaboloid;
+    if (desc.depthTerm == DepthTerm::textbook && !(textbookMap && desc.method == CaptureMethod::perVertex))
+        throw Error(ErrorKind::badArgument, "textbook depth terms",
+                    "there are none for this method on the " + std::string(mapInfo(desc.map).name) + " map",
+                    "use perVertex on tennis-ball or dual-paraboloid");
+}
+
+} // namespace
+
+void requirePossible(const ReflectionProbe::Desc& desc)
+{
+    requireFinite(desc.captureOrigin, "a capture origin");
+    gl::requireContext();
+    requireMapSize(desc.map, desc.n, desc.supersample);
+    if ((desc.colourTexture == 0) != (desc.distanceTexture == 0))
+        throw Error(ErrorKind::badArgument, "a map that the host owns",
+                    "only one of its two textures is given", "give colour and distance, or neither");
+    requirePossibleMethod(desc);
+    if (desc.layersOfDepth < 1 || desc.layersOfDepth > 2 || !(desc.layerSeparation >= 0.0f))
+        throw Error(ErrorKind::badArgument, "a probe's layers of depth",
+                    std::to_string(desc.layersOfDepth) + ", separated by " +
+                        std::to_string(desc.layerSeparation),
+                    "ask for 1 or 2, separated by 0 or more");
+}
+
+} // namespace mirrorball::capture

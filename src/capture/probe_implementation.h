@@ -1,0 +1,89 @@
+// What is behind a ReflectionProbe: what it owns, and the steps of a capture. reflection_probe.cpp makes and publishes
+// maps; probe_draws.cpp draws into them.
+#pragma once
+
+#include "capture/capture_program.h"
+#include "capture/copies.h"
+#include "capture/filtered_map.h"
+#include "capture/frame.h"
+#include "capture/map_textures.h"
+
+#include <mirrorball/capture/reflection_probe.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace mirrorball {
+
+namespace capture {
+
+// True while it lives.
+struct RaisedFlag
+{
+    explicit RaisedFlag(bool& given) : flag(given) { flag = true; }
+    ~RaisedFlag() { flag = false; }
+    RaisedFlag(const RaisedFlag&) = delete;
+    RaisedFlag& operator=(const RaisedFlag&) = delete;
+    bool& flag;
+};
+
+// Throws Error badArgument or unsupported for what no probe can be.
+void requirePossible(const ReflectionProbe::Desc& desc);
+
+} // namespace capture
+
+struct ReflectionProbe::Implementation
+{
+    Desc desc;
+    capture::Frame frame;
+    capture::MapSize size{};     // of a layer
+    capture::MapSize drawSize{}; // the same in samples
+    gl::Texture depth;
+    capture::MapTextures front, back;             // what pass 2 reads, and what the next capture fills
+    capture::MapTextures hiddenFront, hiddenBack; // the same for the second layer of depth, if there is one
+    capture::MapTextures samples, hiddenSamples;  // what is drawn into with several samples a texel
+    capture::Copies copies;
+    capture::FilteredMap filtered;
+    int peelUnit = -1;      // the texture unit through which it sees the first
+    bool peeling = false;   // drawing the second layer
+    bool allAtOnce = false; // asked for, and the driver can
+    ReflectionMap map;
+    bool capturing = false;
+    CaptureReport report;
+
+    explicit Implementation(const Desc& given);
+    void place();
+    // As the next capture would see it, or as the one under way does.
+    capture::Frame current() const { return capturing ? frame : capture::Frame(desc); }
+    void clear(const gl::Framebuffer& layers) const;
+    bool isBorrowed() const { return desc.colourTexture != 0; }
+    // The level of the distances that has blocks a quarter of n wide, 22.5 degrees; 0 for none.
+    int nearestLevel() const
+    {
+        return isBorrowed() || !desc.nearestDistances
+                   ? 0
+                   : std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(desc.n))) - 3, 0);
+    }
+    bool isSupersampled() const { return desc.supersample > 1; }
+    // What is drawn into now.
+    const capture::MapTextures& target() const;
+    void makeTextures();
+    void requireReady() const;
+    CaptureReport fill(const std::function<void()>& drawLayerOfDepth);
+    void finish();
+    void filter();
+    // A view's layer is cleared just before the first draw into it, while it is in a software rasteriser's cache;
+    // all are before a draw into all at once (view < 0).
+    void begin(int view) const;
+    void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
+    void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
+    bool fitsAtOnce(const CaptureMesh& mesh) const;
+    // Everything that may fail in a capture, before the state is touched.
+    void compile(std::span<const CaptureMesh> meshes);
+    unsigned int use(const CaptureMesh& mesh, int view);
+    unsigned int primitive() const;
+    void bindFirstLayer() const;
+    void publish();
+};
+
+} // namespace mirrorball
