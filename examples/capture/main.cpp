@@ -68,6 +68,7 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
     desc.method = options.method;
     desc.epsilon = static_cast<float>(options.epsilon);
     desc.mipLevels = desc.nearestDistances = false; // of the map alone a file is made
+    desc.pastSeams = true;                          // and of all of it
     mirrorball::ReflectionProbe probe(desc);
     const GlScene drawable(scene, desc.captureOrigin);
     mirrorball::CaptureProgram program({.name = "phong",

@@ -37,9 +37,14 @@ glm::dmat4 inverseRelativeTo(const glm::dvec3& origin, glm::dmat4 worldFromProbe
 
 } // namespace
 
+bool capturesPastSeams(const ReflectionProbe::Desc& desc)
+{
+    return desc.pastSeams || (desc.mipLevels && desc.method != CaptureMethod::perVertex);
+}
+
 Frame::Frame(const ReflectionProbe::Desc& desc)
     : map_(desc.map), n_(desc.n), method_(desc.method), depthTerm_(desc.depthTerm),
-      epsilon_(static_cast<double>(desc.epsilon)),
+      epsilon_(static_cast<double>(desc.epsilon)), pastSeams_(capturesPastSeams(desc)),
       worldFromProbe_(rigidPose(desc.worldFromProbe).worldFromProbe),
       probeFromWorld_(inverseRelativeTo(desc.captureOrigin, worldFromProbe_)),
       captureOrigin_(desc.captureOrigin), near_(nearOf(desc, rigidPose(desc.worldFromProbe).scale)),
@@ -62,7 +67,10 @@ bool Frame::touches(int view, const Sphere& bounds) const
         return true;
     if (distance + radius < static_cast<double>(near_) || distance - radius > static_cast<double>(far_))
         return false;
-    return viewTouches(map_, view, centre, radius);
+    // Linear filtering at a seam reads texels beside it. Two, from corner to corner, are 4.5 / n radians wide at the
+    // tennis-ball maps' seams and 5.7 / n at the dual paraboloid's.
+    return viewTouches(map_, view, centre, radius) &&
+           (pastSeams_ || ownedTouches(map_, view, centre, radius, 6.0 / n_));
 }
 
 bool Frame::touches(int view, const Box& bounds) const

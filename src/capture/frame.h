@@ -9,6 +9,10 @@
 
 namespace mirrorball::capture {
 
+// Whether texels past a component's seams show what is seen there: where the host asks for it, and where mip levels are
+// made of them. Mapped by the book they are wrong there, and are not used.
+bool capturesPastSeams(const ReflectionProbe::Desc& desc);
+
 class Frame
 {
 public:
@@ -39,6 +43,7 @@ private:
     CaptureMethod method_;
     DepthTerm depthTerm_;
     double epsilon_;
+    bool pastSeams_;
     glm::dmat4 worldFromProbe_, probeFromWorld_;
     glm::dvec3 captureOrigin_;
     float near_, far_;

@@ -46,6 +46,26 @@ bool seamTouches(const glm::dvec3& local, double radius)
     return !beyondLatitude && !inWedge;
 }
 
+// What a tennis-ball component owns of that: everything in front, and behind only caps of 45 degrees around ±x. The caps'
+// cone is as far from a point as the difference of its distances from axis and equator, over √2.
+bool ownedSeamTouches(const glm::dvec3& local, double radius)
+{
+    const bool inFront = local.z >= -radius;
+    const bool inCap = std::hypot(local.y, local.z) - std::abs(local.x) <= radius * std::sqrt(2.0);
+    return inFront || inCap;
+}
+
+// A component's own frame, in which the middle of its layer is at +z.
+glm::dvec3 localTennisBall(int view, const glm::dvec3& v)
+{
+    return view == 0 ? v : glm::dvec3(v.y, v.x, -v.z);
+}
+
+glm::dvec3 localParaboloid(int view, const glm::dvec3& v)
+{
+    return view == 0 ? glm::dvec3(v.x, v.y, -v.z) : v;
+}
+
 // A dual-paraboloid layer in its own frame: its corners reach 109.5 degrees from +z, where cos = -1/3. What
 // lies in the cone around -z, further than the radius from its surface, is out of sight.
 bool paraboloidTouches(const glm::dvec3& local, double radius)
@@ -112,9 +132,9 @@ bool viewTouches(MapKind map, int view, const glm::dvec3& centre, double radius)
     switch (map) {
     case MapKind::tennisBall:
     case MapKind::tennisBallEven:
-        return seamTouches(view == 0 ? centre : glm::dvec3(centre.y, centre.x, -centre.z), radius);
+        return seamTouches(localTennisBall(view, centre), radius);
     case MapKind::dualParaboloid:
-        return paraboloidTouches(view == 0 ? glm::dvec3(centre.x, centre.y, -centre.z) : centre, radius);
+        return paraboloidTouches(localParaboloid(view, centre), radius);
     case MapKind::cube:
     case MapKind::equiAngularCube:
         return pyramidTouches(faceRows(view) * centre, radius);
@@ -125,6 +145,25 @@ bool viewTouches(MapKind map, int view, const glm::dvec3& centre, double radius)
     case MapKind::equirectangular:
     case MapKind::sphereMap:
         return true;
+    }
+    return true;
+}
+
+bool ownedTouches(MapKind map, int view, const glm::dvec3& centre, double radius, double beside)
+{
+    const double reach = radius + beside * (glm::length(centre) + radius);
+    switch (map) {
+    case MapKind::tennisBall:
+    case MapKind::tennisBallEven:
+        return ownedSeamTouches(localTennisBall(view, centre), reach);
+    case MapKind::dualParaboloid:
+        return localParaboloid(view, centre).z >= -reach;
+    case MapKind::cube:
+    case MapKind::equiAngularCube:
+    case MapKind::octahedral:
+    case MapKind::equirectangular:
+    case MapKind::sphereMap:
+        break; // their layers do not overlap
     }
     return true;
 }

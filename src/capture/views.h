@@ -40,6 +40,10 @@ LinearRange linearRange(MapKind map);
 // Whether a sphere (in probe space) may touch the directions of a view; never false when it does.
 bool viewTouches(MapKind map, int view, const glm::dvec3& centre, double radius);
 
+// The same for the directions that the view's component owns, where layers show more than that. Within a radian times
+// `beside` of them counts as well.
+bool ownedTouches(MapKind map, int view, const glm::dvec3& centre, double radius, double beside);
+
 // +1 where a counter-clockwise triangle as seen from the centre is counter-clockwise on the map, else -1.
 int orientation(MapKind map, int view);
 

@@ -73,6 +73,7 @@ Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
     desc.worldFromProbe = glm::translate(glm::dmat4(1.0), at);
     desc.captureOrigin = at;
     desc.colour = mirrorball::ColourFormat::rgba32f;
+    desc.pastSeams = true; // every texel is judged
     mirrorball::ReflectionProbe probe(desc);
     const examples::GlScene drawable(scene, at);
     mirrorball::CaptureProgram program(

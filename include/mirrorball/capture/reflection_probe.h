@@ -62,6 +62,10 @@ public:
         // The nearest distances of blocks of texels, at which the look-ups `distance` and `layered` begin; without
         // them they begin at the mirror. Other look-ups have no use for them.
         bool nearestDistances = true;
+        // Layers of the tennis-ball and dual-paraboloid maps overlap, and texels past a seam belong to another
+        // component: no look-up reads them. They show all that is seen there only where this is true, for a host that
+        // uses whole layers, and with mipLevels.
+        bool pastSeams = false;
         glm::vec4 background{0.0f, 0.0f, 0.0f, 1.0f};
         CaptureMethod method = CaptureMethod::automatic;
         float epsilon =
