@@ -91,7 +91,11 @@ std::vector<mirrorball::CaptureMesh> Stage::meshes(View view, bool cullBackFaces
 
 void Stage::drawMesh(std::size_t mesh, unsigned int program, int instances, unsigned int primitive) const
 {
+    if (endsBeforeRasteriser_)
+        glEnable(GL_RASTERIZER_DISCARD);
     drawable_.drawMesh(mesh, program, phong_, instances, primitive);
+    if (endsBeforeRasteriser_)
+        glDisable(GL_RASTERIZER_DISCARD);
 }
 
 std::size_t Stage::vertexCount() const

@@ -35,6 +35,9 @@ public:
     void drawMesh(std::size_t mesh, unsigned int program, int instances = 1,
                   unsigned int primitive = 4) const;
 
+    // Lets draws end before the rasteriser (GL_RASTERIZER_DISCARD): what is left is vertex and geometry work.
+    void endBeforeRasteriser(bool ends) { endsBeforeRasteriser_ = ends; }
+
     std::size_t triangleCount() const { return drawable_.triangleCount(); }
     std::size_t vertexCount() const;
 
@@ -44,6 +47,7 @@ private:
     CapturePrograms& programs_;
     examples::GlScene drawable_;
     examples::PhongView phong_;
+    bool endsBeforeRasteriser_ = false;
 };
 
 struct Work

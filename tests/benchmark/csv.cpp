@@ -73,6 +73,7 @@ std::vector<Column<Row>> captureColumns()
         time("cpu_ms", &Timing::cpu, &Quartiles::median),
         time("cpu_ms_lower_quartile", &Timing::cpu, &Quartiles::lower),
         time("cpu_ms_upper_quartile", &Timing::cpu, &Quartiles::upper),
+        {"cpu_ms_before_rasteriser", [](const Row& row) { return number(row.cpuBeforeRasteriser.median); }},
         time("wall_ms", &Timing::wall, &Quartiles::median),
         time("wall_ms_lower_quartile", &Timing::wall, &Quartiles::lower),
         time("wall_ms_upper_quartile", &Timing::wall, &Quartiles::upper),

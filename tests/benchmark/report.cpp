@@ -86,6 +86,14 @@ void writeAims(std::ostream& out, const std::vector<Aims>& scenes)
     out << '\n';
 }
 
+std::string nanosecondsAFragment(const Row& row)
+{
+    if (!row.work.fragmentShaderRuns || *row.work.fragmentShaderRuns == 0)
+        return "";
+    const double rest = row.timing.cpu.median - row.cpuBeforeRasteriser.median;
+    return format("%.1f", 1e6 * rest / static_cast<double>(*row.work.fragmentShaderRuns));
+}
+
 void writeProfiles(std::ostream& out, const std::vector<Profile>& profiles)
 {
     if (profiles.empty())
@@ -94,11 +102,16 @@ void writeProfiles(std::ostream& out, const std::vector<Profile>& profiles)
            "cube does "
            "what the one by hand does, so that the difference is what the library adds; `perVertex` is what "
            "the map "
-           "costs, `automatic` and `exact` what being right does. Runs and triangles are what the driver "
-           "counts in one "
-           "frame.\n\n| scene | | CPU ms | best cube = 1 | draws | vertex-shader runs a vertex | triangles "
+           "costs, `automatic` and `exact` what being right does. Vertices: CPU time of the same draws where "
+           "the "
+           "rasteriser "
+           "discards all, which leaves vertex and geometry shaders; the rest, over the fragment-shader runs, "
+           "holds the "
+           "triangles' set-up, too. Runs and triangles are what the driver counts in one "
+           "frame.\n\n| scene | | CPU ms | best cube = 1 | of them vertices, ms | the rest, ns a fragment | "
+           "draws | vertex-shader runs a vertex | triangles "
            "rasterised, of "
-           "the scene's | fragment-shader runs a texel |\n|---|---|---|---|---|---|---|---|\n";
+           "the scene's | fragment-shader runs a texel |\n|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Profile& profile : profiles)
         for (const ProfileLine& line : profile.lines) {
             const Row& row = *line.row;
@@ -107,7 +120,8 @@ void writeProfiles(std::ostream& out, const std::vector<Profile>& profiles)
             };
             out << "| " << profile.scene << " | " << line.what << " | "
                 << format("%.1f", row.timing.cpu.median) << " | **" << format("%.2f", row.cpuRatioToBest)
-                << "** | " << row.work.sent.draws << " | "
+                << "** | " << format("%.1f", row.cpuBeforeRasteriser.median) << " | "
+                << nanosecondsAFragment(row) << " | " << row.work.sent.draws << " | "
                 << share(row.work.vertexShaderRuns, row.sceneVertices) << " | "
                 << share(row.work.primitivesClipped, row.sceneTriangles) << " | "
                 << share(row.work.fragmentShaderRuns, static_cast<std::size_t>(row.measures.texels))

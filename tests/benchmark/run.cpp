@@ -37,7 +37,7 @@ public:
     }
 
     const Stage& stage() const { return stage_; }
-    const Stage& stage(Vertices vertices)
+    Stage& stage(Vertices vertices)
     {
         if (vertices == Vertices::shared)
             return stage_;
@@ -91,6 +91,11 @@ int framesOf(const Group& group, int frames)
     return group.isRivalCheck ? std::max(frames, rivalCheckFrames) : frames;
 }
 
+int partFramesOf(const Group& group, int frames)
+{
+    return std::max(2, framesOf(group, frames) / 3);
+}
+
 // Roughly what a frame costs next to others, so that the time left comes out right.
 double weightOf(const Group& group)
 {
@@ -100,12 +105,17 @@ double weightOf(const Group& group)
 
 void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& progress, std::vector<Row>& rows)
 {
-    const Stage& stage = loaded.stage(group.vertices);
+    Stage& stage = loaded.stage(group.vertices);
     std::vector<std::unique_ptr<Contender>> contenders;
     for (const Entry& entry : group.entries)
         contenders.push_back(make(entry, stage, group.cullBackFaces, examples::View::colour));
     const std::vector<Timing> timings = measure(contenders, warmUpFrames, framesOf(group, frames),
                                                 [&] { progress.advance(weightOf(group)); });
+    // After them all programs are compiled, and a third of the frames tells enough of a part.
+    stage.endBeforeRasteriser(true);
+    const std::vector<Timing> partTimings =
+        measure(contenders, 1, partFramesOf(group, frames), [&] { progress.advance(weightOf(group)); });
+    stage.endBeforeRasteriser(false);
 
     const std::size_t firstRow = rows.size();
     for (std::size_t index = 0; index < group.entries.size(); ++index) {
@@ -116,6 +126,7 @@ void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& pro
         row.sceneVertices = stage.vertexCount();
         row.measures = mirrorball::mapMeasures(row.entry.map, row.entry.n);
         row.timing = timings[index];
+        row.cpuBeforeRasteriser = partTimings[index].cpu;
         row.work = countWork(*contenders[index]);
         contenders[index].reset();
         if (!group.isRivalCheck)
@@ -133,7 +144,7 @@ double stepsOf(const std::vector<Group>& plan, int frames)
     double steps = 0.0;
     for (const Group& group : plan)
         steps += weightOf(group) * static_cast<double>(group.entries.size()) *
-                 (warmUpFrames + framesOf(group, frames) + errorFrames);
+                 (warmUpFrames + framesOf(group, frames) + 1 + partFramesOf(group, frames) + errorFrames);
     return steps;
 }
 

@@ -22,6 +22,7 @@ struct Row
     std::size_t sceneTriangles = 0, sceneVertices = 0;
     mirrorball::MapMeasures measures; // of the map at the entry's n
     Timing timing;
+    Quartiles cpuBeforeRasteriser; // of frames whose draws end before it
     WorkCounts work;
     std::optional<Errors> errors; // not of the 8-bit rivals
     // Median process CPU time and wall time, over that of the culled six-pass cube in the same group; CPU

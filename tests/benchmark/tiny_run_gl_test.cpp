@@ -85,6 +85,8 @@ void ratiosAreNumbers(const std::vector<Row>& rows)
     for (const Row& row : rows)
         for (const double ratio : {row.cpuRatio, row.wallRatio, row.cpuRatioToBest})
             CHECK(std::isfinite(ratio) && ratio > 0.0);
+    for (const Row& row : rows)
+        CHECK(row.cpuBeforeRasteriser.median > 0.0);
     CHECK(find(rows, MapKind::cube, "six passes, culled").cpuRatio == 1.0);
 }
 
