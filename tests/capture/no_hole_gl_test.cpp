@@ -4,6 +4,8 @@
 #include "support/check.h"
 #include "support/gl_image.h"
 
+#include "scene.h"
+
 #include <mirrorball/capture/reflection_probe.h>
 #include <mirrorball/headless/context.h>
 
@@ -71,6 +73,38 @@ Shape box()
     shape.indices = {0, 1, 2, 1, 3, 2, 4, 6, 5, 5, 6, 7, 0, 4, 1, 1, 4, 5,
                      2, 3, 6, 3, 7, 6, 0, 2, 4, 2, 6, 4, 1, 5, 3, 3, 5, 7};
     return shape;
+}
+
+// A model's triangles, all its meshes in one.
+Shape shapeOf(const examples::Scene& scene)
+{
+    Shape shape;
+    for (const examples::Mesh& mesh : scene.meshes) {
+        const auto first = static_cast<GLuint>(shape.positions.size());
+        shape.positions.insert(shape.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        for (const auto& triangle : mesh.triangles)
+            for (const std::uint32_t corner : triangle)
+                shape.indices.push_back(first + corner);
+    }
+    return shape;
+}
+
+// Whether a ray from there crosses the surface an odd number of times. Its direction is no edge's.
+bool isInside(const Shape& shape, const glm::dvec3& place)
+{
+    const glm::dvec3 direction(0.5377, -0.3161, 0.7816);
+    bool inside = false;
+    for (std::size_t index = 0; index < shape.indices.size(); index += 3) {
+        const glm::dvec3 a = glm::dvec3(shape.positions[shape.indices[index]]) - place,
+                         b = glm::dvec3(shape.positions[shape.indices[index + 1]]) - place,
+                         c = glm::dvec3(shape.positions[shape.indices[index + 2]]) - place;
+        const double u = glm::dot(direction, glm::cross(b, c)), v = glm::dot(direction, glm::cross(c, a)),
+                     w = glm::dot(direction, glm::cross(a, b));
+        const bool isMet = (u > 0.0) == (v > 0.0) && (v > 0.0) == (w > 0.0);
+        const bool isAhead = (glm::dot(a, glm::cross(b - a, c - a)) > 0.0) == (u + v + w > 0.0);
+        inside = inside != (isMet && isAhead);
+    }
+    return inside;
 }
 
 const char* const vertexSource = R"(#version 330 core
@@ -308,15 +342,44 @@ void checkSendings(Program& program, const Drawable& drawable, MapKind map, Capt
     CHECK(seen > 0);
 }
 
+// A model from random points inside it.
+void checkModel(Program& program, const Drawable& drawable, MapKind map, int points)
+{
+    std::mt19937 generator(23);
+    std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+    ReflectionProbe exact(descOf(map, CaptureMethod::exact, 12));
+    for (int point = 0; point < points; ++point) {
+        glm::vec3 place;
+        do
+            place = drawable.radius() * glm::vec3(uniform(generator), uniform(generator), uniform(generator));
+        while (!isInside(drawable.shape(), place));
+        const glm::mat4 worldFromObject = glm::translate(glm::mat4(1.0f), -place);
+        const std::size_t found =
+            holes(program.capture(exact, drawable, worldFromObject, false, Sending::indexed));
+        if (found != 0)
+            std::printf("%s: %zu holes at %.9g, %.9g, %.9g\n", std::string(mapInfo(map).name).c_str(), found,
+                        static_cast<double>(place.x), static_cast<double>(place.y),
+                        static_cast<double>(place.z));
+        CHECK(found == 0);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
     const headless::Context context;
-    // [POINTS [MAP]]: for each shape and map, 10,000 in all.
+    // [POINTS [MAP|all [MODEL]]]: for each shape and map, 10,000 in all; of a closed model alone.
     const int points = argc > 1 ? std::atoi(argv[1]) : 625;
-    const std::string only = argc > 2 ? argv[2] : "";
+    const std::string only = argc > 2 && std::strcmp(argv[2], "all") != 0 ? argv[2] : "";
     Program program;
+    if (argc > 3) {
+        const Drawable model(shapeOf(examples::loadScene(argv[3])));
+        for (const MapInfo& info : maps())
+            if (only.empty() || info.name == only)
+                checkModel(program, model, info.kind, points);
+        return 0;
+    }
     const Drawable sphere(bumpySphere(9, 14)), twelve(box());
     for (const MapInfo& info : maps()) {
         if (!only.empty() && info.name != only)
