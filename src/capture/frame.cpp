@@ -130,8 +130,8 @@ Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
         variant.path = Path::mapped;
     if (variant.path != Path::exact)
         variant.large = false;
-    // A position in the host's frame, interpolated before the centre is subtracted, is rounded to the centre's last digits:
-    // to 1e-5 of any distance, as near as this.
+    // A position in the host's frame, interpolated before the centre is subtracted, is rounded to the centre's
+    // last digits: to 1e-5 of any distance, as near as this.
     const bool isClose = glm::length(centre()) < 32.0 * static_cast<double>(near_);
     const bool isInterpolated = variant.path == Path::linear || variant.path == Path::mapped;
     variant.ownPosition = !isInterpolated || !isClose || variant.layers == LayerOrder::allAtOnce;

@@ -46,8 +46,8 @@ bool seamTouches(const glm::dvec3& local, double radius)
     return !beyondLatitude && !inWedge;
 }
 
-// What a tennis-ball component owns of that: everything in front, and behind only caps of 45 degrees around ±x. The caps'
-// cone is as far from a point as the difference of its distances from axis and equator, over √2.
+// What a tennis-ball component owns of that: everything in front, and behind only caps of 45 degrees around ±x.
+// The caps' cone is as far from a point as the difference of its distances from axis and equator, over √2.
 bool ownedSeamTouches(const glm::dvec3& local, double radius)
 {
     const bool inFront = local.z >= -radius;

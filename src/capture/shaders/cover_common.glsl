@@ -143,8 +143,9 @@ vec2 mirrorballCapture_edgeLine(int view, vec3 edge, float from, float to, float
 }
 
 // What a strip has of a triangle: its lower and upper outline at the strip's beginning (x, y) and end (z, w); empty where
-// x > y, and `clear` if that is more than rounding: nothing needs to be drawn there. The outline is monotone between `events` (vertices, and where an edge turns back), so the extents there and at
-// both ends bound it; the edges that bind it in the strip's middle bound it more closely.
+// x > y, and `clear` if that is more than rounding: nothing needs to be drawn there. The outline is monotone between
+// `events` (vertices, and where an edge turns back), so the extents there and at both ends bound it; the edges that bind
+// it in the strip's middle bound it more closely.
 vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORBALL_EVENTS], float from, float to,
                                     out bool clear)
 {
