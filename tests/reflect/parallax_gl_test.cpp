@@ -76,7 +76,7 @@ void checkReaches(const ParallaxErrors& errors, const ParallaxErrors& infinite, 
 }
 
 // The rooms of the house, where much hides behind much. The aims are 0.10°, 2 % and 8 dB with one layer, 0.05°, 0.5 % and
-// 12 dB with two: what is beside them has been reached instead, with a tenth of room, and docs/reflection.md says what
+// 12 dB with two: what is beside them has been reached instead, with a tenth or so of room, and docs/reflection.md says what
 // the maps allow.
 void testHouse()
 {
