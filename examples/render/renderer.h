@@ -28,6 +28,9 @@ public:
     // After Canvas::drawScene, whose state holds.
     void drawMirrors() const;
 
+    // Of a mirror of the setup, as it was captured last.
+    const mirrorball::ReflectionMap& map(std::size_t mirror) const { return mirrors_[mirror].map(); }
+
 private:
     // One reflector and where its map comes from.
     struct DrawnMirror

@@ -4,6 +4,8 @@
 #include "support/parallax.h"
 
 #include <cstdio>
+#include <iterator>
+#include <tuple>
 
 using namespace mirrorball;
 
@@ -60,24 +62,60 @@ void testRoom()
     }
 }
 
-// A room of the house: much hides behind much. 2 % and 0.5 % of wrong pixels are out of reach there: from the first eye
-// 3.0 % mirror what the first surfaces hide, 0.5 % what two do, and 0.4 % lie within a texel of an edge.
+// What is held to: the largest mean angle and share of wrong pixels, and the least gain over `infinite` in decibels.
+struct Aim
+{
+    double mean, wrongPercent, gain;
+};
+
+void checkReaches(const ParallaxErrors& errors, const ParallaxErrors& infinite, const Aim& aim)
+{
+    CHECK(errors.mean <= aim.mean);
+    CHECK(errors.wrongPercent <= aim.wrongPercent);
+    CHECK(errors.psnr >= infinite.psnr + aim.gain);
+}
+
+// The rooms of the house, where much hides behind much. The aims are 0.10°, 2 % and 8 dB with one layer, 0.05°, 0.5 % and
+// 12 dB with two: what is beside them has been reached instead, with a tenth or so of room, and docs/reflection.md says what
+// the maps allow.
 void testHouse()
 {
-    struct View
+    constexpr Aim distance{0.10, 2.0, 8.0}, layered{0.05, 0.5, 12.0};
+    struct Reached
     {
-        const char* eye;
-        double distance, layered; // mean angles
+        Aim distance, layered;
     };
-    for (const View& view : {View{"8.8,1.4,-1", 0.10, 0.05}, View{"11.4,1.75,-0.7", 0.12, 0.08}}) {
-        const Judged errors =
-            judged({"/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc", "--reflector", "sphere:0.5", "--at",
-                    "9.8,1.1,-1.9", "--eye", view.eye, "--pixels", "320x180"});
+    // In the order of the rooms.
+    const Reached reached[] = {{{0.10, 3.2, 8.0}, {0.05, 1.8, 9.0}},
+                               {distance, {0.085, 1.45, 12.0}},
+                               {distance, layered},
+                               {distance, {0.05, 0.8, 12.0}},
+                               {distance, {0.05, 0.9, 11.5}},
+                               {{0.10, 2.0, 7.0}, {0.05, 0.6, 7.5}}};
+    static_assert(std::size(reached) == std::size(tests::houseRooms));
+    for (const tests::HouseRoom& room : tests::houseRooms) {
+        Words words = tests::wordsOf(room);
+        words.insert(words.end(), {"--reflector", "sphere:0.5", "--pixels", "320x180"});
+        const Judged errors = judged(words);
         checkNeverWorse(errors);
-        CHECK(errors.distance.mean <= view.distance && errors.layered.mean <= view.layered);
-        CHECK(errors.distance.wrongPercent <= 3.3 && errors.layered.wrongPercent <= 2.1);
-        CHECK(errors.distance.psnr >= errors.infinite.psnr + 8.0);
-        CHECK(errors.layered.psnr >= errors.infinite.psnr + 8.5);
+        const Reached& aims = reached[&room - tests::houseRooms];
+        checkReaches(errors.distance, errors.infinite, aims.distance);
+        checkReaches(errors.layered, errors.infinite, aims.layered);
+    }
+}
+
+// The living room again, by the scene's own light and also from its corner.
+void testLivingRoom()
+{
+    for (const auto& [eye, one, two] :
+         {std::tuple("8.8,1.4,-1", Aim{0.10, 3.2, 8.8}, Aim{0.05, 1.8, 9.5}),
+          std::tuple("11.4,1.75,-0.7", Aim{0.12, 3.2, 8.8}, Aim{0.08, 2.0, 9.5})})
+    {
+        const Judged errors = judged({tests::houseFile, "--reflector", "sphere:0.5", "--at",
+                                      tests::houseRooms[0].at, "--eye", eye, "--pixels", "320x180"});
+        checkNeverWorse(errors);
+        checkReaches(errors.distance, errors.infinite, one);
+        checkReaches(errors.layered, errors.infinite, two);
     }
 }
 
@@ -122,6 +160,7 @@ int main(int argc, char** argv)
     }
     testRoom();
     testHouse();
+    testLivingRoom();
     testElsewhere();
     testUselessProxies();
     return 0;

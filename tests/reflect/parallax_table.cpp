@@ -33,27 +33,37 @@ Words joined(Words words, const Words& more)
 std::vector<Case> cases()
 {
     const std::string bunny = "/usr/share/glmark2/models/bunny.obj";
-    const Words room = {"builtin:room"}, garden = {"builtin:garden"};
-    const Words house = {"/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc", "--at", "9.8,1.1,-1.9", "--light",
-                         "10.5,2.4,-1"};
-    const Words near = {"--eye", "8.8,1.4,-1"}, corner = {"--eye", "11.4,1.75,-0.7", "--fov", "65"};
     std::vector<Case> all;
-    for (const auto& [name, scene] : {std::pair("room", room), std::pair("garden", garden)}) {
+    for (const char* const name : {"room", "garden"}) {
+        const Words scene = {std::string("builtin:") + name};
         all.push_back({name, "sphere 0.25", joined(scene, {"--reflector", "sphere:0.25"})});
         all.push_back({name, "sphere 0.5", joined(scene, {"--reflector", "sphere:0.5"})});
         all.push_back({name, "sphere 1", joined(scene, {"--reflector", "sphere:1"})});
         all.push_back({name, "teapot × 0.2", joined(scene, {"--scale", "0.2", "--reflector", "teapot"})});
         all.push_back({name, "bunny", joined(scene, {"--reflector", bunny})});
     }
-    const Words closer = joined(house, near);
-    all.push_back({"house", "sphere 0.25", joined(closer, {"--reflector", "sphere:0.25"})});
-    all.push_back({"house", "sphere 0.5", joined(closer, {"--reflector", "sphere:0.5"})});
-    all.push_back({"house", "sphere 1", joined(joined(house, corner), {"--reflector", "sphere:1"})});
-    all.push_back({"house", "teapot × 0.2", joined(closer, {"--scale", "0.2", "--reflector", "teapot"})});
-    all.push_back({"house", "bunny × 0.4", joined(closer, {"--scale", "0.4", "--reflector", bunny})});
+    for (const tests::HouseRoom& room : tests::houseRooms)
+        all.push_back({room.name, "sphere 0.5", joined(tests::wordsOf(room), {"--reflector", "sphere:0.5"})});
+    const tests::HouseRoom& living = tests::houseRooms[0];
+    const Words house = {tests::houseFile, "--at", living.at, "--light", living.light};
+    const Words closer = joined(house, {"--eye", living.eye});
+    const Words corner = joined(house, {"--eye", "11.4,1.75,-0.7", "--fov", "65"});
+    all.push_back({living.name, "sphere 0.25", joined(closer, {"--reflector", "sphere:0.25"})});
+    all.push_back({living.name, "sphere 1", joined(corner, {"--reflector", "sphere:1"})});
+    all.push_back({living.name, "teapot × 0.2", joined(closer, {"--scale", "0.2", "--reflector", "teapot"})});
+    all.push_back({living.name, "bunny × 0.4", joined(closer, {"--scale", "0.4", "--reflector", bunny})});
     for (Case& each : all)
         each.words = joined(each.words, {"--pixels", "1280x720"});
     return all;
+}
+
+std::string placesOfRooms()
+{
+    std::string text = "| room | render's options |\n|---|---|\n";
+    for (const tests::HouseRoom& room : tests::houseRooms)
+        text += std::string("| ") + room.name + " | `--at " + room.at + " --eye " + room.eye + " --light " +
+                room.light + "` |\n";
+    return text;
 }
 
 std::string row(const std::string& what, const char* lookup, const ParallaxErrors& errors)
@@ -110,18 +120,18 @@ int main(int argc, char** argv)
         "| scene, reflector | look-up | mean | p95 | max | wrong | grazing wrong | PSNR | FLIP |\n"
         "|---|---|---|---|---|---|---|---|---|\n";
     std::ofstream file(argv[1]);
-    file << "# Look-ups against the tracer\n\nWritten by `parallax_table`; [reflection.md](../reflection.md) "
-            "says what "
-            "the columns mean. Pictures of 1280 × 720, maps of n = 256. In the room and the garden camera "
-            "and reflector "
-            "are where `render` puts them by default; in the house (`AC14-FZK-Haus.ifc`) with `--at "
-            "9.8,1.1,-1.9 "
-            "--light 10.5,2.4,-1 --eye 8.8,1.4,-1`, but for the sphere of radius 1, with `--eye "
-            "11.4,1.75,-0.7 --fov "
-            "65`.\n\n## Tennis-ball map\n\n"
-         << head << tables.tennisBall << "\nWorse than `infinite`, by any column but the largest angle: "
-         << (tables.worse.empty() ? "nowhere.\n" : "\n\n" + tables.worse) << "\n## Other maps\n\n"
-         << head << tables.others;
+    file
+        << "# Look-ups against the tracer\n\nWritten by `parallax_table`; [reflection.md](../reflection.md) "
+           "says what the columns mean. Pictures of 1280 × 720, maps of n = 256. In the room and the garden "
+           "camera and reflector are where `render` puts them by default. The other rooms are those of a "
+           "house "
+           "(`AC14-FZK-Haus.ifc`), all that are 2.2 m wide; the mirror stands in the middle, 1.1 m above the "
+           "floor, but in the living room, where a stair stands there, beside it:\n\n"
+        << placesOfRooms()
+        << "\nThe sphere of radius 1 is seen with `--eye 11.4,1.75,-0.7 --fov 65`.\n\n## Tennis-ball map\n\n"
+        << head << tables.tennisBall << "\nWorse than `infinite`, by any column but the largest angle: "
+        << (tables.worse.empty() ? "nowhere.\n" : "\n\n" + tables.worse) << "\n## Other maps\n\n"
+        << head << tables.others;
     if (!file.flush()) {
         std::fprintf(stderr, "'%s' cannot be written\n", argv[1]);
         return 1;

@@ -20,7 +20,26 @@ double angleInDegrees(const glm::dvec3& a, const glm::dvec3& b)
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-// The direction through the middle of each sample, the top row first.
+bool isNothing(const glm::dvec3& position)
+{
+    return std::isnan(position.x);
+}
+
+} // namespace
+
+std::vector<std::string> wordsOf(const HouseRoom& room)
+{
+    return {houseFile, "--at", room.at, "--eye", room.eye, "--light", room.light};
+}
+
+bool neverWorse(const ParallaxErrors& errors, const ParallaxErrors& infinite)
+{
+    return errors.mean <= infinite.mean && errors.p95 <= infinite.p95 &&
+           errors.wrongPercent <= infinite.wrongPercent &&
+           errors.grazingWrongPercent <= infinite.grazingWrongPercent && errors.psnr >= infinite.psnr &&
+           errors.flip <= infinite.flip;
+}
+
 glm::dvec3 unitRay(const render::Camera& camera, int x, int y)
 {
     const glm::dvec3 forward = glm::normalize(camera.look - camera.eye);
@@ -29,21 +48,6 @@ glm::dvec3 unitRay(const render::Camera& camera, int x, int y)
     const double side = 2.0 * std::tan(0.5 * camera.fovInRadians) / camera.samples.y;
     return glm::normalize(forward + side * ((x + 0.5 - 0.5 * camera.samples.x) * right -
                                             (y + 0.5 - 0.5 * camera.samples.y) * up));
-}
-
-bool isNothing(const glm::dvec3& position)
-{
-    return std::isnan(position.x);
-}
-
-} // namespace
-
-bool neverWorse(const ParallaxErrors& errors, const ParallaxErrors& infinite)
-{
-    return errors.mean <= infinite.mean && errors.p95 <= infinite.p95 &&
-           errors.wrongPercent <= infinite.wrongPercent &&
-           errors.grazingWrongPercent <= infinite.grazingWrongPercent && errors.psnr >= infinite.psnr &&
-           errors.flip <= infinite.flip;
 }
 
 render::Options renderOptions(const std::vector<std::string>& words)

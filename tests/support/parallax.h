@@ -36,6 +36,29 @@ constexpr NamedLookup lookups[] = {{"infinite", mirrorball::Lookup::infinite},
                                    {"distance", mirrorball::Lookup::distance},
                                    {"layered", mirrorball::Lookup::layered}};
 
+constexpr const char* houseFile = "/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc";
+
+// A room of the house: where the mirror stands, and seen from where under which light.
+struct HouseRoom
+{
+    const char* name;
+    const char* at;
+    const char* eye;
+    const char* light;
+};
+
+// Every room of the file's (its IfcSpaces) that is 2.2 m wide, which leaves out the corridor. The mirror stands in its
+// middle, 1.1 m above the floor, the eye at (-1, 0.3, 0.9) from it, the light at (0.7, 1.3, 0.9). A stair fills the
+// middle of the living room: there it is the middle of what is free beside it.
+constexpr HouseRoom houseRooms[] = {{"living room", "9.8,1.1,-1.9", "8.8,1.4,-1", "10.5,2.4,-1"},
+                                    {"bedroom", "9.675,1.1,-6.975", "8.675,1.4,-6.075", "10.375,2.4,-6.075"},
+                                    {"bathroom", "5.725,1.1,-7.845", "4.725,1.4,-6.945", "6.425,2.4,-6.945"},
+                                    {"study", "2.05,1.1,-7.845", "1.05,1.4,-6.945", "2.75,2.4,-6.945"},
+                                    {"kitchen", "2.05,1.1,-2.155", "1.05,1.4,-1.255", "2.75,2.4,-1.255"},
+                                    {"gallery", "6,3.8,-5", "5,4.1,-4.1", "6.7,5.1,-4.1"}};
+
+std::vector<std::string> wordsOf(const HouseRoom& room); // scene, eye and light, as on render's command line
+
 // Whether a look-up errs no more than `infinite` does, by any of the measures but the largest angle, which is one
 // pixel's.
 bool neverWorse(const ParallaxErrors& errors, const ParallaxErrors& infinite);
@@ -62,6 +85,9 @@ private:
     render::Setup setup_;
     render::Picture positions_, colours_;
 };
+
+// The direction through the middle of a sample of the picture, the top row first.
+glm::dvec3 unitRay(const render::Camera& camera, int x, int y);
 
 // A command line of render, parsed. The output need not be given.
 render::Options renderOptions(const std::vector<std::string>& words);

@@ -15,6 +15,8 @@ const int mirrorball_refinements = 6; // of one crossing: three of them halve th
 // slipped behind its edge.
 const float mirrorball_close = 0.005;
 const float mirrorball_slip = 0.03;
+// Neighbouring texels whose distances have no larger ratio are filtered together.
+const float mirrorball_alike = 1.3;
 
 struct mirrorball_Ray
 {
@@ -87,6 +89,33 @@ bool mirrorball_meets(sampler2DArray distances, mirrorball_Ray ray, float front,
     return crosses && back <= mirrorball_slip * (1.0 - interval.y) * ray.inverse;
 }
 
+#if MIRRORBALL_LAYERED
+// A surface goes on where its 1 / distance, linear for a plane, bends by no more than this part of what it changes by.
+const float mirrorball_bend = 0.3;
+
+float mirrorball_inverseDistance(ivec2 texel, int layer)
+{
+    texel = clamp(texel, ivec2(0), textureSize(mirrorball_distanceMap, 0).xy - 1);
+    return 1.0 / texelFetch(mirrorball_distanceMap, ivec3(texel, layer), 0).r;
+}
+
+// Whether the texels at both ends of a narrow interval show one surface, which goes on beyond one of them: seen at a
+// grazing angle it recedes by more than the slip from one row of texels to the next.
+bool mirrorball_goesOn(mirrorball_Ray ray, vec2 interval)
+{
+    vec3 size = vec3(textureSize(mirrorball_distanceMap, 0).xy, 1.0);
+    ivec3 a = ivec3(size * mirrorball_regular_coordinateFromDirection(mirrorball_at(ray, interval.x)));
+    ivec3 b = ivec3(size * mirrorball_regular_coordinateFromDirection(mirrorball_at(ray, interval.y)));
+    ivec2 onwards = b.xy - a.xy;
+    float atA = mirrorball_inverseDistance(a.xy, a.z);
+    float change = mirrorball_inverseDistance(b.xy, b.z) - atA;
+    float beforeA = mirrorball_inverseDistance(a.xy - onwards, a.z);
+    float beyondB = mirrorball_inverseDistance(b.xy + onwards, b.z);
+    float bend = min(abs(atA - beforeA - change), abs(beyondB - atA - 2.0 * change));
+    return a.z == b.z && bend <= mirrorball_bend * abs(change);
+}
+#endif
+
 // w of the answer is the layer of depth. A ray that meets nothing shows the last direction in front of an edge.
 vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
 {
@@ -105,6 +134,9 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
     float previous = first;
     vec4 shown = vec4(ray.towards, 0.0);
     bool found = false;
+#if MIRRORBALL_LAYERED
+    vec2 slipped = vec2(-1.0); // where the ray first came behind the first surface without meeting it
+#endif
     for (int step = 1; step <= mirrorball_steps && !found; ++step) {
         // Denser towards the end: half as far from it, surfaces are twice as far away.
         float remaining = 1.0 - float(step) / float(mirrorball_steps);
@@ -115,6 +147,9 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
             vec2 interval = vec2(previous, next);
             found = mirrorball_meets(mirrorball_distanceMap, ray, before, after, interval);
             shown = vec4(mirrorball_at(ray, found ? interval.y : interval.x), 0.0);
+#if MIRRORBALL_LAYERED
+            slipped = found || slipped.y > 0.0 ? slipped : interval;
+#endif
         }
 #if MIRRORBALL_LAYERED
         // Only what is behind the first surface can be behind the second; nothing is known of what would be infinitely far.
@@ -129,5 +164,26 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
         before = after;
         previous = next;
     }
+#if MIRRORBALL_LAYERED
+    // What only the second layer shows may be the grazing surface that the ray has met before.
+    for (int turns = slipped.y > 0.0 && shown.w > 0.5 ? 1 : 0; turns > 0; --turns)
+        shown = mirrorball_goesOn(ray, slipped) ? vec4(mirrorball_at(ray, slipped.y), 0.0) : shown;
+#endif
     return shown;
+}
+
+// Where the colours are to be read: as near as linear filtering mixes in nothing of another surface than the one that the
+// nearest texel shows. (Corners, a quarter of what is mixed at most, are left.)
+vec2 mirrorball_withinSurface(vec3 coordinate)
+{
+    vec2 size = vec2(textureSize(mirrorball_distanceMap, 0).xy);
+    vec2 place = coordinate.xy * size;
+    vec2 middle = min(floor(place), size - 1.0) + 0.5;
+    vec2 offset = place - middle;
+    vec2 next = coordinate.xy + sign(offset) / size;
+    float here = textureLod(mirrorball_distanceMap, coordinate, 0.0).r;
+    vec2 beside = vec2(textureLod(mirrorball_distanceMap, vec3(next.x, coordinate.yz), 0.0).r,
+                       textureLod(mirrorball_distanceMap, vec3(coordinate.x, next.y, coordinate.z), 0.0).r);
+    bvec2 alike = lessThanEqual(max(beside, here), mirrorball_alike * min(beside, here));
+    return (middle + offset * vec2(alike)) / size;
 }

@@ -11,6 +11,7 @@ vec4 mirrorball_lookUpLevel(vec3 positionInWorld, vec3 directionInWorld, float l
     vec3 v = mirrorball_regularDirection(mirrorball_shown(positionInWorld, directionInWorld).xyz);
     int component = mirrorball_regular_componentOf(v);
     vec2 uv = mirrorball_regular_squareFromDirection(component, v);
+    uv = mirrorball_withinSurface(vec3(uv, float(component)));
     return textureLod(mirrorball_colourMap, mirrorball_textureCoordinate(component, uv), level);
 }
 
@@ -25,8 +26,9 @@ uniform float mirrorball_widest; // change of a coordinate, the whole texture: a
 vec4 mirrorball_colourOver(vec3 v, vec3 alongX, vec3 alongY)
 {
     int component = mirrorball_regular_componentOf(v);
-    vec3 coordinate =
-        mirrorball_textureCoordinate(component, mirrorball_regular_squareFromDirection(component, v));
+    vec2 uv = mirrorball_regular_squareFromDirection(component, v);
+    uv = mirrorball_withinSurface(vec3(uv, float(component)));
+    vec3 coordinate = mirrorball_textureCoordinate(component, uv);
     vec4 change = mirrorball_squareDerivatives(component, v, alongX, alongY);
 #if MIRRORBALL_DETAIL == 1
     // The longer axis in texels, squared; one texel in place of NaN. Not left to textureGrad, which may be approximate.
@@ -96,7 +98,8 @@ vec4 mirrorball_lookUp(vec3 positionInWorld, vec3 directionInWorld)
     if (shown.w > 0.5)
         return textureLod(mirrorball_hiddenColourMap, coordinate, 0.0);
 #endif
-    return textureLod(mirrorball_colourMap, mirrorball_textureCoordinate(int(coordinate.z), coordinate.xy), 0.0);
+    vec2 uv = mirrorball_withinSurface(coordinate);
+    return textureLod(mirrorball_colourMap, mirrorball_textureCoordinate(int(coordinate.z), uv), 0.0);
 }
 #endif
 
