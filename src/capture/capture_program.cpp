@@ -47,13 +47,23 @@ int eventsOf(MapKind map)
     return 3;
 }
 
+// Half a step of the rasteriser's grid each way, in texels. OpenGL asks for 4 bits at least; more than 8 gain nothing.
+std::string snapDefine()
+{
+    const int bits = std::clamp(gl::integer(GL_SUBPIXEL_BITS), 4, 8);
+    return define("SNAP", std::to_string(0.7072 / static_cast<double>(1 << bits)));
+}
+
 // Sag of an arc on the map over its chord, in texels: a constant times chord² (of unit directions). The
 // constants are the suprema over arcs with both ends within 60 degrees of the equator and chords up to 1/2
 // (for the sphere map within 120 degrees of its centre and up to 1/5), 0.183, 0.183, 0.0914 and 0.0813 in
-// units of n, rounded up by a tenth; tests/capture/error_law_test.cpp holds them.
+// units of n, rounded up by a tenth; tests/capture/error_law_test.cpp holds them. Where coordinates are those of
+// latitude and longitude it is also at most tan(latitude) · along · (slanted · across + level · along) / n, with the
+// steps of its ends in texels; rounded up by a twentieth.
 std::string coverDefines(MapKind map)
 {
-    const bool tennisBall = map == MapKind::tennisBall || map == MapKind::tennisBallEven;
+    const bool even = map == MapKind::tennisBallEven;
+    const bool tennisBall = map == MapKind::tennisBall || even;
     const std::string sag = tennisBall                        ? "(0.2 * mirrorballCapture_size.x)"
                             : map == MapKind::equirectangular ? "(0.1 * mirrorballCapture_size.y)"
                                                               : "(0.09 * mirrorballCapture_size.x)";
@@ -68,7 +78,14 @@ std::string coverDefines(MapKind map)
                                                                                  : "2.0")) +
            // Around a circle of longitude a triangle may leave a layer and come back.
            define("WRAPS", std::string(tennisBall || map == MapKind::equirectangular ? "true" : "false")) +
-           define("EVENTS", std::to_string(eventsOf(map))) + define("SAG", sag);
+           define("EVENTS", std::to_string(eventsOf(map))) + define("SAG", sag) +
+           define("SLANTED_SAG", std::string(even         ? "0.72"
+                                             : tennisBall ? "0.366"
+                                                          : "0.72")) +
+           define("LEVEL_SAG", std::string(even         ? "0.23"
+                                           : tennisBall ? "0.215"
+                                                        : "0.43")) +
+           snapDefine();
 }
 
 std::string_view coverShader(MapKind map)

@@ -63,7 +63,7 @@ std::vector<Obstacle> obstacles()
 // be gone.
 void check(const Obstacle& obstacle, MapKind map, int layersOfDepth)
 {
-    const tests::SixWalls walls(glm::vec3(0.0f));
+    const tests::SixWalls walls(glm::vec3(0.0f), 4);
     ReflectionProbe probe({.map = map, .n = n, .near = 0.1f, .layersOfDepth = layersOfDepth});
     const CaptureMesh mesh = walls.mesh();
     for (int time = 0; time < 2; ++time) // both of the textures that take turns

@@ -130,6 +130,40 @@ double greatestSag(MapKind map, int component, const std::vector<glm::dvec3>& st
     return greatest;
 }
 
+// The greatest share of tan(latitude) · along · (slanted · across + level · along) that a sag has, as cover_latitude.glsl
+// takes it; steps in units of n, `across` of latitude.
+double greatestShareOfSteps(MapKind map, double slanted, double level)
+{
+    const bool turned = map == MapKind::equirectangular; // longitude along x, 0 at -z
+    double greatest = 0.0;
+    for (int tenth = -600; tenth <= 600; tenth += 5) {
+        const double latitude = 0.1 * tenth * degree;
+        const glm::dvec3 a(0.0, std::sin(latitude), (turned ? -1.0 : 1.0) * std::cos(latitude));
+        for (const double part : {0.1, 0.5, 0.9, 1.0})
+            for (int index = 0; index < 180; ++index) {
+                const glm::dvec3 b = ahead(a, 2.0 * std::asin(0.25 * part), 2.0 * index * degree);
+                if (std::abs(a.y) > 0.866 || std::abs(b.y) > 0.866)
+                    continue;
+                const double sine = std::min(1.033 * std::max(std::abs(a.y), std::abs(b.y)), 0.9);
+                const glm::dvec2 from = placeOf(map, 0, a), way = placeOf(map, 0, b) - from;
+                const double along = std::abs(turned ? way.x : way.y),
+                             across = std::abs(turned ? way.y : way.x);
+                const double bound =
+                    sine / std::sqrt(1.0 - sine * sine) * along * (slanted * across + level * along);
+                double sag = 0.0;
+                for (int step = 1; step < steps; ++step) {
+                    const glm::dvec2 p =
+                        placeOf(map, 0, slerp(a, b, static_cast<double>(step) / steps)) - from;
+                    sag = std::max(sag, std::abs(way.x * p.y - way.y * p.x) / glm::length(way));
+                }
+                CHECK(sag <= bound + 1e-9);
+                if (bound > 1e-7)
+                    greatest = std::max(greatest, sag / bound);
+            }
+    }
+    return greatest;
+}
+
 double spaceChord(const glm::dvec3& a, const glm::dvec3& b)
 {
     return glm::distance(a, b);
@@ -175,6 +209,20 @@ int main()
              greatestSag(MapKind::tennisBallEven, 0, latitudes(1.0), 0.5, within60, spaceChord), 0.2);
     checkSag("equirectangular",
              greatestSag(MapKind::equirectangular, 0, latitudes(-1.0), 0.5, within60, spaceChord), 0.1);
+    struct Steps
+    {
+        MapKind map;
+        double slanted, level;
+    };
+    for (const Steps& steps :
+         {Steps{MapKind::tennisBall, 0.366, 0.215}, Steps{MapKind::tennisBallEven, 0.72, 0.23},
+          Steps{MapKind::equirectangular, 0.72, 0.43}})
+    {
+        const double share = greatestShareOfSteps(steps.map, steps.slanted, steps.level);
+        std::printf("%-18s at most %.4f of the steps' sag\n", std::string(mapInfo(steps.map).name).c_str(),
+                    share);
+        CHECK(share >= 1.0 / 1.25);
+    }
     std::vector<glm::dvec3> around;
     for (int tenth = 0; tenth <= 1200; tenth += 5)
         around.push_back({std::sin(0.1 * tenth * degree), 0.0, std::cos(0.1 * tenth * degree)});

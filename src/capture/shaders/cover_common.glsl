@@ -2,8 +2,8 @@
 layout(triangles) in;
 uniform vec2 mirrorballCapture_size; // of a layer, in texels
 
-// Rounding of positions (the rasteriser snaps to 1/16 texel at the coarsest) and of the chart.
-const float mirrorballCapture_guard = 0.07;
+// Rounding of positions, to the rasteriser's grid (each way by half a step), and of the chart, by 2^-18 of the layer.
+#define mirrorballCapture_guard (MIRRORBALL_SNAP + 3.9e-6 * max(mirrorballCapture_size.x, mirrorballCapture_size.y))
 
 // A covering polygon: the corners of a triangle strip, or of several.
 struct mirrorballCapture_Cover

@@ -113,7 +113,21 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec2 p[3];
     for (int k = 0; k < 3; ++k)
         p[k] = square[k] * mirrorballCapture_size;
-    mirrorballCapture_coverTriangle(p, chord * chord * MIRRORBALL_SAG, cover);
+    vec3 sag = chord * chord * MIRRORBALL_SAG;
+    float loose = 0.0; // texels that a straight cover wastes along one edge, at most
+    for (int k = 0; k < 3; ++k) {
+        // A meridian is straight, and so is the equator. An arc rises at most to its ends' sine over the cosine of half its
+        // angle, here a quarter radian at most.
+        int i = (k + 1) % 3;
+        int j = (k + 2) % 3;
+        float sine = min(1.033 * max(abs(unit[i].y), abs(unit[j].y)), 0.9);
+        vec2 step = abs(p[i] - p[j]);
+        float bend = MIRRORBALL_SLANTED_SAG * step.MIRRORBALL_ACROSS + MIRRORBALL_LEVEL_SAG * step.MIRRORBALL_ALONG;
+        float tangent = sine * inversesqrt(1.0 - sine * sine);
+        sag[k] = min(sag[k], tangent * step.MIRRORBALL_ALONG * bend / mirrorballCapture_size.MIRRORBALL_ACROSS);
+        loose = max(loose, sag[k] * length(step));
+    }
+    mirrorballCapture_coverTriangle(p, sag, cover);
 #if MIRRORBALL_EQUIRECTANGULAR
     bool beyond = false;
 #else
@@ -127,7 +141,8 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
 #if MIRRORBALL_CURVED
     // A loop of one turn, and not an if: software rasterisers leave loops that nobody enters, and the loops within, after
     // one turn.
-    for (int turns = straight || beyond ? 0 : 1; turns > 0; --turns)
+    bool close = straight && loose < 100.0; // which is what strips cost
+    for (int turns = close || beyond ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverCurved(view, vertex, edge, along, first, last, wraps, cover);
 #else
     if (!straight && !beyond)

@@ -73,13 +73,16 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
         p[k] = unit.xy / max(1.0 + unit.z, 1e-6);
     }
     vec3 chord = vec3(distance(p[1], p[2]), distance(p[2], p[0]), distance(p[0], p[1]));
-    // An arc of a circle of radius >= 1 over a chord of at most 1/2 rises by less than 0.1271 chord^2 over it.
+    // An arc of a circle of radius r >= 1 over a chord of at most 1/2 rises by less than 0.1271 chord^2 / r over it.
+    vec3 inverseRadius;
+    for (int k = 0; k < 3; ++k)
+        inverseRadius[k] = abs(edge[k].z) * inversesqrt(max(dot(edge[k], edge[k]), 1e-37));
     bool straight = lowest > -0.6 && max(max(chord.x, chord.y), chord.z) < 0.5;
     vec2 middle = 0.5 * mirrorballCapture_size;
     vec2 texel[3];
     for (int k = 0; k < 3; ++k)
         texel[k] = (p[k] + 1.0) * middle;
-    mirrorballCapture_coverTriangle(texel, 0.1271 * chord * chord * middle.x, cover);
+    mirrorballCapture_coverTriangle(texel, 0.1271 * chord * chord * inverseRadius * middle.x, cover);
     // The layer's corners lie at z = -1/3, and the cap beyond is convex.
     bool beyond = highest < -0.334;
     if (beyond)
