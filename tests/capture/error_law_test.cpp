@@ -218,8 +218,8 @@ int main()
          {Steps{MapKind::tennisBall, 0.366, 0.215}, Steps{MapKind::tennisBallEven, 0.72, 0.23},
           Steps{MapKind::equirectangular, 0.72, 0.43}})
     {
-        const double share = greatestShareOfSteps(steps.map, steps.slanted, steps.level);
-        std::printf("%-18s at most %.4f of the steps' sag\n", std::string(mapInfo(steps.map).name).c_str(),
+        const double share = greatestShareOfSteps(law.map, law.slanted, law.level);
+        std::printf("%-18s at most %.4f of the steps' sag\n", std::string(mapInfo(law.map).name).c_str(),
                     share);
         CHECK(share >= 1.0 / 1.25);
     }
