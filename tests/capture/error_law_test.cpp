@@ -214,7 +214,7 @@ int main()
         MapKind map;
         double slanted, level;
     };
-    for (const Steps& steps :
+    for (const Steps& law :
          {Steps{MapKind::tennisBall, 0.366, 0.215}, Steps{MapKind::tennisBallEven, 0.72, 0.23},
           Steps{MapKind::equirectangular, 0.72, 0.43}})
     {
