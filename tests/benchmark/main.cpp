@@ -78,6 +78,19 @@ void runAll(const Options& options, const std::string& command)
     std::cout << options.folder << "/README.md\n";
 }
 
+// As it was called, without the folder.
+std::string commandOf(int argc, char** argv)
+{
+    std::string command = "benchmark";
+    for (int index = 1; index < argc; ++index) {
+        const std::string word = argv[index];
+        const bool isFolder = word.starts_with("-o") || word.starts_with("--output");
+        index += word == "-o" || word == "--output" ? 1 : 0;
+        command += isFolder ? "" : " " + word;
+    }
+    return command;
+}
+
 // An option that may be given several times, each time one of the names.
 template <class Value>
 void addList(CLI::App& app, const std::string& name, std::vector<Value>& values,
@@ -138,6 +151,6 @@ int main(int argc, char** argv)
     return examples::runProgram(app, argc, argv, [&] {
         if (frames->count() == 0)
             options.frames = options.quick ? quickFrames : fullFrames;
-        runAll(options, options.quick ? "benchmark --quick" : "benchmark");
+        runAll(options, commandOf(argc, argv));
     });
 }
