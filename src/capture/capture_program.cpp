@@ -190,7 +190,7 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("PERSPECTIVE", variant.path == Path::mapped || variant.path == Path::tessellated) +
            define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", together) +
            define("CURVED", coversCurved(variant)) + define("PEELS", variant.peels) +
-           define("OWN_POSITION", variant.ownPosition) + coverDefines(variant.map);
+           coverDefines(variant.map);
 }
 
 // The texts of one capture program, put together around the host's.

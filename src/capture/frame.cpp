@@ -39,7 +39,8 @@ glm::dmat4 inverseRelativeTo(const glm::dvec3& origin, glm::dmat4 worldFromProbe
 
 bool capturesPastSeams(const ReflectionProbe::Desc& desc)
 {
-    return desc.pastSeams || (desc.mipLevels && desc.method != CaptureMethod::perVertex);
+    const bool areRead = desc.mipLevels || desc.layersOfDepth == 2;
+    return desc.pastSeams || (areRead && desc.method != CaptureMethod::perVertex);
 }
 
 Frame::Frame(const ReflectionProbe::Desc& desc)

@@ -63,8 +63,8 @@ public:
         // them they begin at the mirror. Other look-ups have no use for them.
         bool nearestDistances = true;
         // Layers of the tennis-ball and dual-paraboloid maps overlap, and texels past a seam belong to another
-        // component: no look-up reads them. They show all that is seen there only where this is true, for a host that
-        // uses whole layers, and with mipLevels.
+        // component. They show all that is seen there only where this is true, for a host that uses whole layers, and
+        // with mipLevels or two layers of depth; no other look-up reads them.
         bool pastSeams = false;
         glm::vec4 background{0.0f, 0.0f, 0.0f, 1.0f};
         CaptureMethod method = CaptureMethod::automatic;
