@@ -1,5 +1,7 @@
 #include "capture/capture_program.h"
 
+#include "capture/cover.h"
+#include "capture/glsl_words.h"
 #include "capture/views.h"
 #include "capture_shaders.h"
 #include "gl/context.h"
@@ -17,95 +19,6 @@ namespace mirrorball {
 namespace capture {
 
 namespace {
-
-std::string define(const std::string& name, const std::string& value)
-{
-    return "#define MIRRORBALL_" + name + " " + value + "\n";
-}
-
-std::string define(const std::string& name, bool value)
-{
-    return define(name, std::string(value ? "1" : "0"));
-}
-
-// The places where the outline of a triangle may turn back along the strips of its covering polygon.
-int eventsOf(MapKind map)
-{
-    switch (map) {
-    case MapKind::tennisBall:
-    case MapKind::tennisBallEven:
-    case MapKind::equirectangular:
-        return 9;
-    case MapKind::dualParaboloid:
-        return 12;
-    case MapKind::cube:
-    case MapKind::equiAngularCube:
-    case MapKind::octahedral:
-    case MapKind::sphereMap: // which has no strips
-        break;
-    }
-    return 3;
-}
-
-// Half a step of the rasteriser's grid each way, in texels. OpenGL asks for 4 bits at least; more than 8 gain nothing.
-std::string snapDefine()
-{
-    const int bits = std::clamp(gl::integer(GL_SUBPIXEL_BITS), 4, 8);
-    return define("SNAP", std::to_string(0.7072 / static_cast<double>(1 << bits)));
-}
-
-// Sag of an arc on the map over its chord, in texels: a constant times chord² (of unit directions). The
-// constants are the suprema over arcs with both ends within 60 degrees of the equator and chords up to 1/2
-// (for the sphere map within 120 degrees of its centre and up to 1/5), 0.183, 0.183, 0.0914 and 0.0813 in
-// units of n, rounded up by a tenth; tests/capture/error_law_test.cpp holds them. Where coordinates are those of
-// latitude and longitude it is also at most tan(latitude) · along · (slanted · across + level · along) / n, with the
-// steps of its ends in texels; rounded up by a twentieth.
-std::string coverDefines(MapKind map)
-{
-    const bool even = map == MapKind::tennisBallEven;
-    const bool tennisBall = map == MapKind::tennisBall || even;
-    const std::string sag = tennisBall                        ? "(0.2 * mirrorballCapture_size.x)"
-                            : map == MapKind::equirectangular ? "(0.1 * mirrorballCapture_size.y)"
-                                                              : "(0.09 * mirrorballCapture_size.x)";
-    return define("ALONG", std::string(map == MapKind::equirectangular ? "x" : "y")) +
-           define("ACROSS", std::string(map == MapKind::equirectangular ? "y" : "x")) +
-           define("EQUIRECTANGULAR", map == MapKind::equirectangular) +
-           define("PERIOD", std::string(map == MapKind::equirectangular ? "1.0" : "(4.0 / 3.0)")) +
-           // A curve of longitude has one inflection each half turn; others have no more in a layer.
-           define("LONGEST_STRIP", std::string(tennisBall                        ? "0.6"
-                                               : map == MapKind::equirectangular ? "0.45"
-                                               : map == MapKind::octahedral      ? "0.0"
-                                                                                 : "2.0")) +
-           // Around a circle of longitude a triangle may leave a layer and come back.
-           define("WRAPS", std::string(tennisBall || map == MapKind::equirectangular ? "true" : "false")) +
-           define("EVENTS", std::to_string(eventsOf(map))) + define("SAG", sag) +
-           define("SLANTED_SAG", std::string(even         ? "0.72"
-                                             : tennisBall ? "0.366"
-                                                          : "0.72")) +
-           define("LEVEL_SAG", std::string(even         ? "0.23"
-                                           : tennisBall ? "0.215"
-                                                        : "0.43")) +
-           snapDefine();
-}
-
-std::string_view coverShader(MapKind map)
-{
-    switch (map) {
-    case MapKind::tennisBall:
-    case MapKind::tennisBallEven:
-    case MapKind::equirectangular:
-        return shaders::coverLatitude;
-    case MapKind::dualParaboloid:
-        return shaders::coverStereographic;
-    case MapKind::equiAngularCube:
-    case MapKind::cube:
-    case MapKind::octahedral:
-        return shaders::coverLinear;
-    case MapKind::sphereMap:
-        break;
-    }
-    return shaders::coverSphereMap;
-}
 
 Carriage carriageOf(const Variant& variant)
 {

@@ -1,9 +1,10 @@
-// The words of GLSL that the host's shaders are read and rewritten by.
+// The words of GLSL that the host's shaders are read and rewritten by, and the library's macros.
 #pragma once
 
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <string>
 #include <string_view>
 
 namespace mirrorball::capture {
@@ -40,6 +41,17 @@ inline std::string_view directiveName(std::string_view line)
     while (end < line.size() && continuesIdentifier(line[end]))
         ++end;
     return line.substr(begin, end - begin);
+}
+
+// A line that defines one of the library's own macros.
+inline std::string define(const std::string& name, const std::string& value)
+{
+    return "#define MIRRORBALL_" + name + " " + value + "\n";
+}
+
+inline std::string define(const std::string& name, bool value)
+{
+    return define(name, std::string(value ? "1" : "0"));
 }
 
 } // namespace mirrorball::capture

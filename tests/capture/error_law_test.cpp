@@ -181,6 +181,28 @@ std::vector<glm::dvec3> latitudes(double sign)
     return all;
 }
 
+// The most that a map stretches a radian where `allows` says so, in units of n.
+double greatestStretch(MapKind map, int component, const std::vector<glm::dvec3>& starts,
+                       const std::function<bool(const glm::dvec3&)>& allows)
+{
+    constexpr double angle = 1e-4;
+    double greatest = 0.0;
+    for (const glm::dvec3& a : starts)
+        for (int index = 0; index < 72 && allows(a); ++index)
+            greatest = std::max(
+                greatest, glm::distance(placeOf(map, component, a),
+                                        placeOf(map, component, ahead(a, angle, 5.0 * index * degree))) /
+                              angle);
+    return greatest;
+}
+
+void checkStretch(const char* name, double found, double constant)
+{
+    std::printf("%-18s stretch %.4f of %.4f\n", name, found, constant);
+    CHECK(found <= constant);
+    CHECK(found >= constant / 1.25);
+}
+
 void checkSag(const char* name, double found, double constant)
 {
     std::printf("%-18s sag %.4f of %.4f\n", name, found, constant);
@@ -201,7 +223,7 @@ int main()
         CHECK(share >= 1.0 / 1.25);
     }
 
-    // The constants stand in coverDefines of capture_program.cpp, in units of n.
+    // The constants stand in coverDefines of cover.cpp, in units of n.
     const auto within60 = [](const glm::dvec3& d) { return std::abs(d.y) <= 0.866; };
     checkSag("tennis-ball", greatestSag(MapKind::tennisBall, 0, latitudes(1.0), 0.5, within60, spaceChord),
              0.2);
@@ -209,6 +231,11 @@ int main()
              greatestSag(MapKind::tennisBallEven, 0, latitudes(1.0), 0.5, within60, spaceChord), 0.2);
     checkSag("equirectangular",
              greatestSag(MapKind::equirectangular, 0, latitudes(-1.0), 0.5, within60, spaceChord), 0.1);
+    checkStretch("tennis-ball", greatestStretch(MapKind::tennisBall, 0, latitudes(1.0), within60), 1.3);
+    checkStretch("tennis-ball-even", greatestStretch(MapKind::tennisBallEven, 0, latitudes(1.0), within60),
+                 1.3);
+    checkStretch("equirectangular", greatestStretch(MapKind::equirectangular, 0, latitudes(-1.0), within60),
+                 0.65);
     struct Steps
     {
         MapKind map;
@@ -242,6 +269,10 @@ int main()
         greatestSag(
             MapKind::dualParaboloid, 1, around, 0.5, [](const glm::dvec3& d) { return d.z >= -0.6; }, onMap),
         0.1271 / 2.0);
+    checkStretch(
+        "dual-paraboloid",
+        greatestStretch(MapKind::dualParaboloid, 1, around, [](const glm::dvec3& d) { return d.z >= -0.6; }),
+        1.3);
     // cover_linear.glsl: chords before the axes are bent.
     const auto onFace = [](const glm::dvec3& a, const glm::dvec3& b) {
         return glm::distance(glm::dvec2(a) / a.z, glm::dvec2(b) / b.z);

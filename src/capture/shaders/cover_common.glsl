@@ -86,6 +86,62 @@ void mirrorballCapture_coverLayer(inout mirrorballCapture_Cover cover)
     cover.breaks = 0;
 }
 
+// How far an arc's image departs from its chord at most, in texels; each family of maps writes it. `bend` is the family's
+// own measure of an edge, chord that between its ends' unit directions, step that between their places, in texels.
+float mirrorballCapture_arcSag(float bend, float chord, vec2 step);
+
+#if MIRRORBALL_BANDS && MIRRORBALL_CURVED && MIRRORBALL_STRIPS > 1
+// A thin triangle: a band of MIRRORBALL_STRIPS straight pieces along the arc of its longest edge (k, opposite to corner k).
+// Every direction of it is as near to that arc as its third corner is, so that the band is as wide as the map stretches that,
+// and as a piece's sag. False where it would be wider, to either side, than so many texels.
+bool mirrorballCapture_coverBand(int view, vec3 vertex[3], vec3 edge[3], vec2 p[3], float widest, vec3 bend,
+                                 inout mirrorballCapture_Cover cover)
+{
+    vec3 unit[3];
+    for (int corner = 0; corner < 3; ++corner)
+        unit[corner] = normalize(vertex[corner]);
+    vec3 chord = vec3(distance(unit[1], unit[2]), distance(unit[2], unit[0]), distance(unit[0], unit[1]));
+    int k = chord.x >= max(chord.y, chord.z) ? 0 : chord.y >= chord.z ? 1 : 2;
+    vec3 a = unit[(k + 1) % 3];
+    vec3 b = unit[(k + 2) % 3];
+    float sine = abs(dot(edge[k], vertex[k])) / max(length(edge[k]) * length(vertex[k]), 1e-37);
+    // Angles below a radian: at most 1.19 times their sine.
+    float width = 1.19 * sine * MIRRORBALL_STRETCH;
+    // Pieces even on the chord are uneven on the arc, at most 1.033 times the mean for chords up to half a radian.
+    float part = 1.04 * chord[k] / float(MIRRORBALL_STRIPS);
+    vec2 place[MIRRORBALL_STRIPS + 1];
+    float piece = 0.0;
+    for (int index = 0; index <= MIRRORBALL_STRIPS; ++index) {
+        vec2 square = mirrorballCapture_squareFromDirection(view, mix(a, b, float(index) / float(MIRRORBALL_STRIPS)));
+        if (MIRRORBALL_WRAPS) {
+            float near = index == 0 ? p[(k + 1) % 3].MIRRORBALL_ALONG : place[max(index - 1, 0)].MIRRORBALL_ALONG;
+            float turns = square.MIRRORBALL_ALONG - near / mirrorballCapture_size.MIRRORBALL_ALONG;
+            square.MIRRORBALL_ALONG -= MIRRORBALL_PERIOD * floor(turns / MIRRORBALL_PERIOD + 0.5);
+        }
+        place[index] = square * mirrorballCapture_size;
+        if (index > 0)
+            piece = max(piece, mirrorballCapture_arcSag(bend[k], part, abs(place[index] - place[max(index - 1, 0)])));
+    }
+    width += piece + mirrorballCapture_guard;
+    if (!(width < widest))
+        return false;
+    cover.count = 2 * MIRRORBALL_STRIPS + 2;
+    cover.breaks = 0;
+    vec2 before = normalize(place[1] - place[0]);
+    for (int index = 0; index <= MIRRORBALL_STRIPS; ++index) {
+        int last = MIRRORBALL_STRIPS;
+        vec2 after = index < last ? normalize(place[min(index + 1, last)] - place[index]) : before;
+        vec2 middle = normalize(before + after);
+        vec2 across = width / max(dot(middle, before), 0.5) * vec2(-middle.y, middle.x);
+        vec2 at = place[index] + (index == 0 ? -width : index == last ? width : 0.0) * middle;
+        cover.corner[2 * index] = at - across;
+        cover.corner[2 * index + 1] = at + across;
+        before = after;
+    }
+    return true;
+}
+#endif
+
 // Each family of maps writes these two. The first narrows the extent across, at one place along, to the side of an edge's
 // plane where edge . direction >= 0 (a little more, for rounding).
 void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent);
@@ -103,7 +159,8 @@ vec2 mirrorballCapture_extentAt(int view, vec3 edge[4], float at, out ivec2 bind
 {
     vec2 extent = vec2(-9.0, 10.0);
     binding = ivec2(-1);
-    for (int k = 0; k < 4; ++k) {
+    for (int turn = 0; turn < 4 * MIRRORBALL_NARROWINGS; ++turn) {
+        int k = turn % 4;
         vec2 wider = extent;
         mirrorballCapture_narrow(view, edge[k], at, extent);
         binding = ivec2(extent.x > wider.x ? k : binding.x, extent.y < wider.y ? k : binding.y);

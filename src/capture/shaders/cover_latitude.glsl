@@ -89,6 +89,14 @@ void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec3 
 }
 #endif
 
+// bend: the tangent of the greatest latitude. A meridian is straight, and so is the equator.
+float mirrorballCapture_arcSag(float bend, float chord, vec2 step)
+{
+    float slope = MIRRORBALL_SLANTED_SAG * step.MIRRORBALL_ACROSS + MIRRORBALL_LEVEL_SAG * step.MIRRORBALL_ALONG;
+    return min(chord * chord * MIRRORBALL_SAG,
+               bend * step.MIRRORBALL_ALONG * slope / mirrorballCapture_size.MIRRORBALL_ACROSS);
+}
+
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
     vec3 unit[3];
@@ -113,18 +121,16 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec2 p[3];
     for (int k = 0; k < 3; ++k)
         p[k] = square[k] * mirrorballCapture_size;
-    vec3 sag = chord * chord * MIRRORBALL_SAG;
+    vec3 sag, tangent;
     float loose = 0.0; // texels that a straight cover wastes along one edge, at most
     for (int k = 0; k < 3; ++k) {
-        // A meridian is straight, and so is the equator. An arc rises at most to its ends' sine over the cosine of half its
-        // angle, here a quarter radian at most.
+        // An arc rises at most to its ends' sine over the cosine of half its angle, here a quarter radian at most.
         int i = (k + 1) % 3;
         int j = (k + 2) % 3;
         float sine = min(1.033 * max(abs(unit[i].y), abs(unit[j].y)), 0.9);
+        tangent[k] = sine * inversesqrt(1.0 - sine * sine);
         vec2 step = abs(p[i] - p[j]);
-        float bend = MIRRORBALL_SLANTED_SAG * step.MIRRORBALL_ACROSS + MIRRORBALL_LEVEL_SAG * step.MIRRORBALL_ALONG;
-        float tangent = sine * inversesqrt(1.0 - sine * sine);
-        sag[k] = min(sag[k], tangent * step.MIRRORBALL_ALONG * bend / mirrorballCapture_size.MIRRORBALL_ACROSS);
+        sag[k] = mirrorballCapture_arcSag(tangent[k], chord[k], step);
         loose = max(loose, sag[k] * length(step));
     }
     mirrorballCapture_coverTriangle(p, sag, cover);
@@ -141,6 +147,11 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
 #if MIRRORBALL_CURVED
     // A loop of one turn, and not an if: software rasterisers leave loops that nobody enters, and the loops within, after
     // one turn.
+#if MIRRORBALL_BANDS && MIRRORBALL_STRIPS > 1
+    float widest = 0.25 * (max(max(sag.x, sag.y), sag.z) + mirrorballCapture_guard);
+    for (int turns = straight && cover.count > 0 && loose > 8.0 ? 1 : 0; turns > 0; --turns)
+        loose = mirrorballCapture_coverBand(view, vertex, edge, p, widest, tangent, cover) ? 0.0 : loose;
+#endif
     bool close = straight && loose < 100.0; // which is what strips cost
     for (int turns = close || beyond ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverCurved(view, vertex, edge, along, first, last, wraps, cover);

@@ -57,9 +57,37 @@ void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 
     }
     vec3 planes[4];
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
-    mirrorballCapture_coverStrips(view, planes, events, 0.0, 1.0, cover);
+    // The strips begin and end with the triangle: at a vertex, or where an edge's circle is widest, if that place is the
+    // triangle's. Around the point behind the map's plane, which lies at infinity, there is no end.
+    vec3 edgeZ, edgeLength;
+    for (int k = 0; k < 3; ++k) {
+        edgeZ[k] = mirrorballCapture_local(view, edge[k]).z;
+        edgeLength[k] = length(edge[k]);
+    }
+    bool endless = all(lessThanEqual(edgeZ, 1e-4 * edgeLength));
+    float first = endless ? 0.0 : 1.0;
+    float last = 1.0 - first;
+    for (int index = 0; index < 12; ++index) {
+        ivec2 binding;
+        float event = clamp(events[index], 0.0, 1.0);
+        vec2 extent = mirrorballCapture_extentAt(view, planes, event, binding);
+        if (index < 3 || extent.x <= extent.y) {
+            first = min(first, event);
+            last = max(last, event);
+        }
+    }
+    mirrorballCapture_coverStrips(view, planes, events, first, last, cover);
 }
 #endif
+
+// bend: the inverse radius of the edge's circle, in (a, b). An arc of a circle of radius r >= 1 over a chord of at most 1/2
+// rises by less than 0.1271 chord^2 / r over it; of a longer one nothing is said.
+float mirrorballCapture_arcSag(float bend, float chord, vec2 step)
+{
+    float unit = 0.5 * mirrorballCapture_size.x;
+    float squared = dot(step, step) / (unit * unit);
+    return squared < 0.25 ? 0.1271 * bend * squared * unit : 1e9;
+}
 
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
@@ -73,7 +101,6 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
         p[k] = unit.xy / max(1.0 + unit.z, 1e-6);
     }
     vec3 chord = vec3(distance(p[1], p[2]), distance(p[2], p[0]), distance(p[0], p[1]));
-    // An arc of a circle of radius r >= 1 over a chord of at most 1/2 rises by less than 0.1271 chord^2 / r over it.
     vec3 inverseRadius;
     for (int k = 0; k < 3; ++k)
         inverseRadius[k] = abs(edge[k].z) * inversesqrt(max(dot(edge[k], edge[k]), 1e-37));
@@ -82,14 +109,28 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec2 texel[3];
     for (int k = 0; k < 3; ++k)
         texel[k] = (p[k] + 1.0) * middle;
-    mirrorballCapture_coverTriangle(texel, 0.1271 * chord * chord * inverseRadius * middle.x, cover);
+    vec3 sag;
+    float loose = 0.0; // texels that a straight cover wastes along one edge, at most
+    for (int k = 0; k < 3; ++k) {
+        vec2 step = texel[(k + 1) % 3] - texel[(k + 2) % 3];
+        sag[k] = mirrorballCapture_arcSag(inverseRadius[k], chord[k], step);
+        loose = max(loose, sag[k] * length(step));
+    }
+    mirrorballCapture_coverTriangle(texel, sag, cover);
     // The layer's corners lie at z = -1/3, and the cap beyond is convex.
     bool beyond = highest < -0.334;
     if (beyond)
         cover.count = 0;
 #if MIRRORBALL_CURVED
-    // A loop of one turn: software rasterisers leave loops that nobody enters, and the loops within, after one turn.
-    for (int turns = straight || beyond ? 0 : 1; turns > 0; --turns)
+    // Loops of one turn: software rasterisers leave loops that nobody enters, and the loops within, after one turn.
+    bool covered = straight;
+#if MIRRORBALL_STRIPS > 1
+    float widest = straight ? 0.25 * (max(max(sag.x, sag.y), sag.z) + mirrorballCapture_guard) : 3.0;
+    bool isLoose = straight ? cover.count > 0 && loose > 8.0 : lowest > -0.6;
+    for (int turns = isLoose && !beyond ? 1 : 0; turns > 0; --turns)
+        covered = mirrorballCapture_coverBand(view, vertex, edge, texel, widest, inverseRadius, cover) || straight;
+#endif
+    for (int turns = covered || beyond ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverCurved(view, vertex, edge, p, cover);
 #else
     if (!straight && !beyond)
