@@ -103,7 +103,7 @@ std::string defines(const CaptureProgram::Implementation& host, const Variant& v
            define("PERSPECTIVE", variant.path == Path::mapped || variant.path == Path::tessellated) +
            define("CUTS", cuts(variant)) + define("ALL_AT_ONCE", together) +
            define("CURVED", coversCurved(variant)) + define("PEELS", variant.peels) +
-           coverDefines(variant.map);
+           define("HIDES", variant.hides) + coverDefines(variant.map);
 }
 
 // The texts of one capture program, put together around the host's.
@@ -149,7 +149,9 @@ public:
                            arraysOfArrays() + defines_ + map_;
         if (isExact())
             text += std::string(shaders::coverCommon) + std::string(coverShader(variant_.map)) +
-                    std::string(shaders::trianglePlane) + std::string(shaders::geometryExact);
+                    std::string(shaders::trianglePlane) +
+                    (variant_.hides ? std::string(shaders::geometryBehind) : "") +
+                    std::string(shaders::geometryExact);
         else
             text += project() + std::string(shaders::geometryAll);
         return text + host_.fragment.skeleton(declarationMark) + geometryVaryings(host_.varyings, carriage_);
@@ -260,6 +262,7 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     result.firstDistance = location("firstDistance");
     result.layer = location("layer");
     result.separation = location("separation");
+    result.farthest = location("farthest");
     result.writesDepth = variant.path == Path::exact;
     result.usesClipDistances = cuts(variant);
     return result;

@@ -34,6 +34,7 @@ struct Variant
     bool withinRange = false; // linear: no part of the mesh is nearer than near or beyond far
     bool ownPosition =
         true; // by mapped vertices: the distance is that of the library's own varying; else of the host's
+    bool hides = false; // exact: leaves out what lies behind earlier draws
     bool peels = false; // draws only what lies behind the first layer of depth; one view at a time
 
     auto operator<=>(const Variant&) const = default;
@@ -44,7 +45,7 @@ struct LinkedProgram
     gl::Program program;
     // Uniform locations; -1 where a variant has none.
     int probeFromWorld, centre, view, depth, range, size, clipFromDirection, inwardPlanes, lineFromDirection,
-        cullBackFaces, steps, firstDistance, layer, separation;
+        cullBackFaces, steps, firstDistance, layer, separation, farthest;
     bool usesClipDistances;
     bool writesDepth;
 };

@@ -31,6 +31,30 @@ int eventsOf(MapKind map)
     return 3;
 }
 
+// The widest texel of a layer, in radians: times its width in texels.
+std::string_view spreadOf(MapKind map)
+{
+    switch (map) {
+    case MapKind::tennisBall:
+        return "1.6";
+    case MapKind::tennisBallEven:
+        return "1.9";
+    case MapKind::dualParaboloid:
+        return "4.1";
+    case MapKind::cube:
+        return "2.1";
+    case MapKind::equiAngularCube:
+        return "1.9";
+    case MapKind::octahedral:
+        return "6.2";
+    case MapKind::equirectangular:
+        return "6.4";
+    case MapKind::sphereMap: // no bound at its rim
+        break;
+    }
+    return "1e9";
+}
+
 // Half a step of the rasteriser's grid each way, in texels. OpenGL asks for 4 bits at least; more than 8 gain nothing.
 std::string snapDefine()
 {
@@ -72,6 +96,7 @@ std::string coverDefines(MapKind map)
            // On the dual paraboloid the others tell on which side of its circle an edge has the triangle.
            define("NARROWINGS", std::string(map == MapKind::dualParaboloid ? "2" : "1")) +
            define("EVENTS", std::to_string(eventsOf(map))) + define("SAG", sag) + define("STRETCH", stretch) +
+           define("SPREAD", std::string(spreadOf(map)) + " / mirrorballCapture_size.x") +
            define("SLANTED_SAG", std::string(even         ? "0.72"
                                              : tennisBall ? "0.366"
                                                           : "0.72")) +

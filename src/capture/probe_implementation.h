@@ -4,6 +4,7 @@
 
 #include "capture/capture_program.h"
 #include "capture/copies.h"
+#include "capture/farthest_blocks.h"
 #include "capture/filtered_map.h"
 #include "capture/frame.h"
 #include "capture/map_textures.h"
@@ -44,12 +45,20 @@ struct ReflectionProbe::Implementation
     capture::MapTextures samples, hiddenSamples;  // what is drawn into with several samples a texel
     capture::Copies copies;
     capture::FilteredMap filtered;
-    int peelUnit = -1;      // the texture unit through which it sees the first
-    bool peeling = false;   // drawing the second layer
+    bool peeling = false;                   // drawing the second layer
+    capture::FarthestBlocks farthestBlocks; // of a view's draws so far
+    bool hides = false;                     // further draws leave out what those hide
+    int firstUnit = 0;      // of two texture units, the last ones: the first layer and the farthest distances
     bool allAtOnce = false; // asked for, and the driver can
     ReflectionMap map;
     bool capturing = false;
     CaptureReport report;
+
+    struct Draws
+    {
+        std::vector<std::size_t> meshes;
+        bool nearFirst = false; // sorted so, and what is hidden then is left out
+    };
 
     explicit Implementation(const Desc& given);
     void place();
@@ -74,15 +83,23 @@ struct ReflectionProbe::Implementation
     void filter();
     // A view's layer is cleared just before the first draw into it, while it is in a software rasteriser's cache;
     // all are before a draw into all at once (view < 0).
-    void begin(int view) const;
+    void begin(int view);
     void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
     void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
+    // Which meshes are drawn into the layer of depth under way; drawn into a view, in order.
+    std::vector<bool> wantedInLayer(std::span<const CaptureMesh> meshes) const;
+    Draws drawsInto(int view, std::span<const CaptureMesh> meshes, const std::vector<bool>& wanted) const;
+    // The first layer of depth only.
+    bool together() const { return allAtOnce && !peeling; }
     bool fitsAtOnce(const CaptureMesh& mesh) const;
     // Everything that may fail in a capture, before the state is touched.
     void compile(std::span<const CaptureMesh> meshes);
+    void compileLayer(std::span<const CaptureMesh> meshes);
     unsigned int use(const CaptureMesh& mesh, int view);
     unsigned int primitive() const;
-    void bindFirstLayer() const;
+    void bindToLastUnits() const;
+    // Between draws of the host's, whose state stays.
+    void gatherFarthest(int view);
     void publish();
 };
 

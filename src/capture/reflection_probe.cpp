@@ -31,11 +31,15 @@ using capture::rigidPose;
 
 } // namespace
 
-ReflectionProbe::Implementation::Implementation(const Desc& given) : desc(given), frame(desc)
+ReflectionProbe::Implementation::Implementation(const Desc& given)
+    : desc(given), frame(desc), farthestBlocks(capture::MapSize{})
 {
     capture::requirePossible(desc);
     size = capture::mapSize(desc.map, desc.n);
     drawSize = capture::mapSize(desc.map, desc.n * desc.supersample);
+    farthestBlocks = capture::FarthestBlocks(drawSize);
+    // The host's materials use the first ones.
+    firstUnit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 2;
     const gl::StateGuard guard(0, 1);
     guard.neutralise();
     glActiveTexture(GL_TEXTURE0);
@@ -75,8 +79,6 @@ void ReflectionProbe::Implementation::makeTextures()
     clear(hiddenFront.allLayers);
     if (isSupersampled())
         hiddenSamples = capture::makeMapTextures(drawSize, desc.colour, &depth);
-    // The host's materials use the first ones.
-    peelUnit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 1;
 }
 
 const capture::MapTextures& ReflectionProbe::Implementation::target() const
@@ -183,7 +185,7 @@ void ReflectionProbe::Implementation::requireReady() const
 CaptureReport ReflectionProbe::Implementation::fill(const std::function<void()>& drawLayerOfDepth)
 {
     const RaisedFlag isCapturing(capturing);
-    const gl::StateGuard guard(std::max(peelUnit, 0), peelUnit < 0 ? 0 : 1);
+    const gl::StateGuard guard(firstUnit, 2);
     guard.neutralise();
     if (desc.depthTerm == DepthTerm::radial) {
         glDepthFunc(GL_GREATER);
@@ -233,7 +235,7 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
     self.place();
     self.compile(meshes);
     return self.fill([&] {
-        if (self.allAtOnce && !self.peeling)
+        if (self.together())
             self.drawAllAtOnce(meshes, draw);
         else
             self.drawOneAtATime(meshes, draw);
@@ -246,7 +248,7 @@ CaptureReport ReflectionProbe::capture(const DrawScene& drawScene)
     self.requireReady();
     self.place();
     return self.fill([&] {
-        const bool together = self.allAtOnce && !self.peeling;
+        const bool together = self.together();
         for (int id = together ? -1 : 0; id < (together ? 0 : viewCount()); ++id) {
             self.begin(id);
             CaptureView view(self, id);

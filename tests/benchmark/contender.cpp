@@ -18,6 +18,7 @@ constexpr float usual = 1.0f / 16.0f, coarsest = 0.5f;
 
 constexpr LibraryMethod methods[] = {
     {"automatic", CaptureMethod::automatic, LayerOrder::oneAtATime, usual},
+    {"automatic-near-first", CaptureMethod::automatic, LayerOrder::oneAtATime, usual, true},
     {"exact", CaptureMethod::exact, LayerOrder::oneAtATime, usual},
     {"perVertex", CaptureMethod::perVertex, LayerOrder::oneAtATime, usual},
     {"tessellated", CaptureMethod::tessellated, LayerOrder::oneAtATime, coarsest},
@@ -130,6 +131,7 @@ std::unique_ptr<Contender> makeLibraryContender(const LibraryMethod& method, mir
     desc.method = method.method;
     desc.epsilon = method.epsilon;
     desc.layers = method.layers;
+    desc.nearFirst = method.nearFirst;
     return std::make_unique<LibraryContender>(desc, stage, cullBackFaces, view);
 }
 

@@ -79,6 +79,7 @@ struct LibraryMethod
     mirrorball::CaptureMethod method;
     mirrorball::LayerOrder layers;
     float epsilon; // texels, of those that approximate
+    bool nearFirst = false;
 };
 std::span<const LibraryMethod> libraryMethods();
 

@@ -46,10 +46,10 @@ std::string nameOf(const Group& group)
     return std::string(group.scene->name) + (group.cullBackFaces ? ", back faces culled" : "");
 }
 
-const Row* automatic(const Rows& group, Sizing sizing)
+const Row* automatic(const Rows& group, Sizing sizing, std::string_view method = "automatic")
 {
     return cheapest(group, [=](const Row& row) {
-        return isMethod(row, "automatic") && isTennisBall(row) && row.entry.sizing == sizing;
+        return isMethod(row, method) && isTennisBall(row) && row.entry.sizing == sizing;
     });
 }
 
@@ -178,6 +178,7 @@ std::vector<Profile> profilesOf(const std::vector<Row>& rows)
         add("tennis-ball, automatic, equal texels", find(group, "automatic"));
         add("tennis-ball, exact, equal texels", find(group, "exact"));
         add("cheaper of both tennis-balls, automatic, equal angle", automatic(group, Sizing::equalAngle));
+        add("the same, near first", automatic(group, Sizing::equalAngle, "automatic-near-first"));
         profiles.push_back(std::move(profile));
     }
     return profiles;

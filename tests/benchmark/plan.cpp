@@ -43,6 +43,11 @@ bool isSmall(const SceneChoice& scene)
     return scene.name == "cards" || scene.name == "room";
 }
 
+bool isModel(const SceneChoice& scene)
+{
+    return !scene.source.starts_with("builtin:");
+}
+
 // What is left out, so that a run ends within reach: methods of the least interest where they were measured
 // elsewhere. A method that was asked for is never left out.
 bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const Group& group,
@@ -50,6 +55,9 @@ bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const G
 {
     if (!options.methods.empty())
         return contains(options.methods, method.name);
+    // Models have many surfaces behind one another.
+    if (method.nearFirst)
+        return contains(mainMaps, map) && group.cubeN == mainN && isModel(*group.scene);
     const bool isAutomatic = method.method == mirrorball::CaptureMethod::automatic;
     const bool isExact = method.method == mirrorball::CaptureMethod::exact;
     if (method.layers == mirrorball::LayerOrder::allAtOnce)
@@ -85,7 +93,7 @@ bool isWanted(const SceneChoice& scene, const Options& options)
 
 bool isThere(const SceneChoice& scene)
 {
-    return scene.source.starts_with("builtin:") || std::filesystem::exists(scene.source);
+    return !isModel(scene) || std::filesystem::exists(scene.source);
 }
 
 std::vector<MapKind> mapsAt(const SceneChoice& scene, int cubeN, bool cullBackFaces, const Options& options)
@@ -97,15 +105,10 @@ std::vector<MapKind> mapsAt(const SceneChoice& scene, int cubeN, bool cullBackFa
     if (cullBackFaces || cubeN != mainN)
         return {std::begin(mainMaps), std::end(mainMaps)};
     std::vector<MapKind> all;
-    // Around the sphere map's rim triangles are bounded by the whole map, and around the dual paraboloid's those of
-    // models that are long: seconds a frame.
-    const bool isModel = !scene.source.starts_with("builtin:");
-    for (const mirrorball::MapInfo& info : mirrorball::maps()) {
-        const bool isSlow = info.kind == MapKind::sphereMap ? !isSmall(scene)
-                                                            : isModel && info.kind == MapKind::dualParaboloid;
-        if (!isSlow)
+    // Around the sphere map's rim triangles are bounded by the whole map: seconds a frame.
+    for (const mirrorball::MapInfo& info : mirrorball::maps())
+        if (info.kind != MapKind::sphereMap || isSmall(scene))
             all.push_back(info.kind);
-    }
     return all;
 }
 

@@ -16,18 +16,6 @@ namespace {
 
 constexpr int n = 16;
 
-std::vector<float> distances(const ReflectionProbe& probe)
-{
-    std::vector<float> all;
-    const MapInfo& info = mapInfo(probe.desc().map);
-    for (int layer = 0; layer < info.components; ++layer) {
-        const auto texels = tests::readTextureLayer(probe.map().distanceTexture, layer, info.widthInN * n,
-                                                    info.heightInN * n);
-        all.insert(all.end(), texels.begin(), texels.end());
-    }
-    return all;
-}
-
 // A state that would spoil a clear: how the host sets it, how it takes it back, and whether it is set.
 struct Obstacle
 {
@@ -79,7 +67,7 @@ void check(const Obstacle& obstacle, MapKind map, int layersOfDepth)
         ++calls;
     });
     CHECK(calls > 1 && !obstacle.isSet()); // the guard of the whole capture has put it back
-    const std::vector<float> found = distances(probe);
+    const std::vector<float> found = tests::readMap(probe.map().distanceTexture, map, n);
     const std::size_t perLayer = found.size() / static_cast<std::size_t>(mapInfo(map).components);
     for (std::size_t texel = 0; texel < found.size(); texel += 4)
         CHECK(std::isinf(found[texel]) == (texel >= perLayer));

@@ -196,6 +196,29 @@ double greatestStretch(MapKind map, int component, const std::vector<glm::dvec3>
     return greatest;
 }
 
+// The widest texel of a map in radians, times its width in texels.
+double greatestSpread(MapKind map)
+{
+    constexpr int cells = 60;
+    constexpr double step = 1e-4; // of the layer's width
+    const MapInfo& info = mapInfo(map);
+    const double height = static_cast<double>(info.widthInN) / info.heightInN;
+    double greatest = 0.0;
+    for (int component = 0; component < info.components; ++component)
+        for (int row = 0; row < cells; ++row)
+            for (int column = 0; column < cells; ++column) {
+                const glm::dvec2 at((column + 0.503) / cells, (row + 0.507) / cells);
+                const glm::dvec3 here = directionFromSquare(map, component, at);
+                for (int index = 0; index < 36; ++index) {
+                    const double heading = 5.0 * index * degree;
+                    const glm::dvec2 move(step * std::cos(heading), step * height * std::sin(heading));
+                    greatest = std::max(
+                        greatest, glm::distance(here, directionFromSquare(map, component, at + move)) / step);
+                }
+            }
+    return greatest;
+}
+
 void checkStretch(const char* name, double found, double constant)
 {
     std::printf("%-18s stretch %.4f of %.4f\n", name, found, constant);
@@ -269,10 +292,25 @@ int main()
         greatestSag(
             MapKind::dualParaboloid, 1, around, 0.5, [](const glm::dvec3& d) { return d.z >= -0.6; }, onMap),
         0.1271 / 2.0);
+    around.push_back({0.8, 0.0, -0.6});
     checkStretch(
         "dual-paraboloid",
         greatestStretch(MapKind::dualParaboloid, 1, around, [](const glm::dvec3& d) { return d.z >= -0.6; }),
         1.3);
+    for (const auto& [map, spread] :
+         std::initializer_list<std::pair<MapKind, double>>{{MapKind::tennisBall, 1.6},
+                                                           {MapKind::tennisBallEven, 1.9},
+                                                           {MapKind::dualParaboloid, 4.1},
+                                                           {MapKind::cube, 2.1},
+                                                           {MapKind::equiAngularCube, 1.9},
+                                                           {MapKind::octahedral, 6.2},
+                                                           {MapKind::equirectangular, 6.4}})
+    {
+        const double found = greatestSpread(map);
+        std::printf("%-18s spread %.4f of %.4f\n", std::string(mapInfo(map).name).c_str(), found, spread);
+        CHECK(found <= spread);
+        CHECK(found >= spread / 1.25);
+    }
     // cover_linear.glsl: chords before the axes are bent.
     const auto onFace = [](const glm::dvec3& a, const glm::dvec3& b) {
         return glm::distance(glm::dvec2(a) / a.z, glm::dvec2(b) / b.z);

@@ -17,10 +17,16 @@ namespace {
 
 // What issue and design promise: at most one texel in ten thousand shows another surface than the trace, and
 // each of those lies at an edge of it, where a trace in float is itself undecided.
-void check(const std::string& name, const examples::Scene& scene, const glm::dvec3& at, int n, MapKind map)
+void check(const std::string& name, const examples::Scene& scene, const glm::dvec3& at, int n, MapKind map,
+           bool nearFirst = false)
 {
-    const tests::Exactness found = tests::exactnessOf(
-        scene, at, {.map = map, .n = n, .near = 0.02f, .far = 1e5f, .method = CaptureMethod::exact});
+    const tests::Exactness found = tests::exactnessOf(scene, at,
+                                                      {.map = map,
+                                                       .n = n,
+                                                       .near = 0.02f,
+                                                       .far = 1e5f,
+                                                       .method = CaptureMethod::exact,
+                                                       .nearFirst = nearFirst});
     std::printf("%-32s %-18s wrong %.4f %% (%zu, %zu far off), distance %.2g\n", name.c_str(),
                 std::string(mapInfo(map).name).c_str(), found.wrongPercent(), found.wrong, found.wrongFarOff,
                 found.worstDistance);
@@ -150,7 +156,7 @@ int main(int argc, char** argv)
             scene.offset = glm::dvec3(0.0);
             check(scene.name, scene, at, n, info.kind);
             scene.offset = glm::dvec3(1e6, -1e6, 1e6);
-            check(scene.name + ", 1e6 away", scene, scene.offset + at, n, info.kind);
+            check(scene.name + ", 1e6 away, near first", scene, scene.offset + at, n, info.kind, true);
         }
         return 0;
     }
@@ -160,12 +166,14 @@ int main(int argc, char** argv)
             examples::Scene scene = examples::loadScene(name);
             check(name, scene, glm::dvec3(0.01, 0.02, 0.03), n, info.kind);
             scene.offset = glm::dvec3(1e6, -1e6, 1e6);
-            check(std::string(name) + ", 1e6 away", scene, scene.offset + glm::dvec3(0.01, 0.02, 0.03), n / 2,
-                  info.kind);
+            check(std::string(name) + ", 1e6 away, near first", scene,
+                  scene.offset + glm::dvec3(0.01, 0.02, 0.03), n / 2, info.kind, true);
         }
         for (unsigned int seed = 1; seed <= 4; ++seed) {
-            check("random triangles", randomTriangles(seed, 40), glm::dvec3(0.0), n, info.kind);
-            check("difficult triangles", difficultTriangles(seed, 48), glm::dvec3(0.0), n, info.kind);
+            const bool nearFirst = seed > 2;
+            check("random triangles", randomTriangles(seed, 40), glm::dvec3(0.0), n, info.kind, nearFirst);
+            check("difficult triangles", difficultTriangles(seed, 48), glm::dvec3(0.0), n, info.kind,
+                  nearFirst);
         }
         check("a needle along a row", needleAlongARow(), glm::dvec3(0.0), 64, info.kind);
         checkDropped(info.kind);

@@ -30,12 +30,7 @@ Result captureTwoLayers(const examples::GlScene& scene, const std::vector<Captur
     result.report = probe.capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
         scene.drawMesh(mesh.id, draw.program, {}, 1, draw.primitive);
     });
-    const MapInfo& info = mapInfo(MapKind::tennisBall);
-    for (int layer = 0; layer < info.components; ++layer) {
-        const std::vector<float> part = tests::readTextureLayer(probe.map().hiddenDistanceTexture, layer,
-                                                                info.widthInN * 48, info.heightInN * 48);
-        result.hidden.insert(result.hidden.end(), part.begin(), part.end());
-    }
+    result.hidden = tests::readMap(probe.map().hiddenDistanceTexture, MapKind::tennisBall, 48);
     return result;
 }
 

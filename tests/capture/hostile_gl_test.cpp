@@ -26,13 +26,10 @@ constexpr int n = 16;
 std::vector<float> image(const ReflectionProbe& probe)
 {
     std::vector<float> all;
-    const MapInfo& info = mapInfo(probe.desc().map);
-    for (const unsigned int texture : {probe.map().colourTexture, probe.map().distanceTexture})
-        for (int layer = 0; layer < info.components; ++layer) {
-            const auto texels =
-                tests::readTextureLayer(texture, layer, info.widthInN * n, info.heightInN * n);
-            all.insert(all.end(), texels.begin(), texels.end());
-        }
+    for (const unsigned int texture : {probe.map().colourTexture, probe.map().distanceTexture}) {
+        const auto texels = tests::readMap(texture, probe.desc().map, n);
+        all.insert(all.end(), texels.begin(), texels.end());
+    }
     return all;
 }
 

@@ -228,15 +228,11 @@ public:
             glUniform3fv(location("placeOfInstance"), 2, places);
             drawable.draw(sending);
         });
-        const MapInfo& info = mapInfo(probe.desc().map);
-        const int n = probe.desc().n;
         std::vector<float> all;
-        for (const unsigned int texture : {probe.map().colourTexture, probe.map().distanceTexture})
-            for (int layer = 0; layer < info.components; ++layer) {
-                const auto texels =
-                    tests::readTextureLayer(texture, layer, info.widthInN * n, info.heightInN * n);
-                all.insert(all.end(), texels.begin(), texels.end());
-            }
+        for (const unsigned int texture : {probe.map().colourTexture, probe.map().distanceTexture}) {
+            const auto texels = tests::readMap(texture, probe.desc().map, probe.desc().n);
+            all.insert(all.end(), texels.begin(), texels.end());
+        }
         return all;
     }
 

@@ -209,4 +209,15 @@ std::vector<float> readTextureLayer(GLuint texture, int layer, int width, int he
     return readBack.pixels(width, height);
 }
 
+std::vector<float> readMap(GLuint texture, mirrorball::MapKind map, int n)
+{
+    const mirrorball::MapInfo& info = mirrorball::mapInfo(map);
+    std::vector<float> all;
+    for (int layer = 0; layer < info.components; ++layer) {
+        const auto texels = readTextureLayer(texture, layer, info.widthInN * n, info.heightInN * n);
+        all.insert(all.end(), texels.begin(), texels.end());
+    }
+    return all;
+}
+
 } // namespace tests

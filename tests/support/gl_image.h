@@ -2,6 +2,8 @@
 // ends the test with a message. Needs a current context, OpenGL 3.3 or later.
 #pragma once
 
+#include <mirrorball/maps/maps.h>
+
 #include <epoxy/gl.h>
 
 #include <string>
@@ -56,5 +58,8 @@ std::vector<float> readTexture(GLuint texture2d, int width, int height, int leve
 
 // The same of one layer of an array texture.
 std::vector<float> readTextureLayer(GLuint texture, int layer, int width, int height, int level = 0);
+
+// The same of all layers of a map of that size, one after another.
+std::vector<float> readMap(GLuint texture, mirrorball::MapKind map, int n);
 
 } // namespace tests

@@ -71,6 +71,11 @@ public:
         float epsilon =
             1.0f / 16.0f; // texels that automatic may be off by, in direction and relative distance
         LayerOrder layers = LayerOrder::oneAtATime;
+        // For scenes with many surfaces behind one another: where 32 meshes or more are drawn exactly into a view, one
+        // layer at a time, they are from near to far instead of in the host's order, and triangles that lie behind
+        // what is drawn already are left out. Of surfaces in one place, the first one drawn is shown: that may be
+        // another one then than in the host's own picture.
+        bool nearFirst = false;
         DepthTerm depthTerm = DepthTerm::radial;
         // 2: behind the first surface of each direction another one is captured, for Lookup::layered: the
         // nearest that is farther by layerSeparation, relative to the first distance (a minimum separation,

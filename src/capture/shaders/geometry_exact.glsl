@@ -34,8 +34,26 @@ void mirrorballCapture_emit(int view, vec3 vertex[3], vec3 edge[3], vec4 plane)
         inward[k] = plane.w < 0.0 ? -edge[k] : edge[k];
     mirrorballCapture_Cover cover;
     mirrorballCapture_coverIn(view, vertex, inward, cover);
+    // Bit k: the quadrilateral that begins with corner 2 k, or the only triangle, is drawn.
+    int drawn = ((1 << (max(cover.count + 1, 2) / 2 - 1)) - 1) & ~(cover.breaks >> 1);
+#if MIRRORBALL_HIDES
+    float nearest = mirrorballCapture_triangleDistance(vertex, inward, plane);
+    for (int quad = 0; 2 * quad + 2 < cover.count; ++quad) {
+        vec2 a = cover.corner[2 * quad];
+        vec2 b = cover.corner[2 * quad + 1];
+        vec2 c = cover.corner[2 * quad + 2];
+        vec2 d = cover.corner[min(2 * quad + 3, cover.count - 1)];
+        vec2 low = min(min(a, b), min(c, d));
+        vec2 high = max(max(a, b), max(c, d));
+        bool behind = mirrorballCapture_isBehind(MIRRORBALL_LAYER(view), low, high, nearest, plane);
+        drawn &= behind ? ~(1 << quad) : -1;
+    }
+#endif
     for (int index = 0; index < cover.count; ++index) {
-        if ((index & 1) == 0 && (cover.breaks & (1 << (index / 2))) != 0)
+        int neighbours = ((drawn << 1) >> (index / 2)) & 3; // bit 0: before these corners, bit 1: behind them
+        if (neighbours == 0)
+            continue;
+        if ((index & 1) == 0 && (neighbours & 1) == 0)
             EndPrimitive();
         mirrorballCapture_edge0 = edge[0];
         mirrorballCapture_edge1 = edge[1];
