@@ -1,5 +1,7 @@
 #include "capture_options.h"
 
+#include "command_line.h"
+
 #include <mirrorball/error.h>
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,7 +1,6 @@
 // What the command lines of capture and render have in common: the scene, the map and how it is drawn.
 #pragma once
 
-#include "command_line.h"
 #include "scene.h"
 
 #include <mirrorball/capture/reflection_probe.h>
@@ -12,6 +11,12 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+// CLI11's header takes long to compile: only what parses includes it.
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
 
 namespace examples {
 

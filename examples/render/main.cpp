@@ -1,5 +1,6 @@
 // render: both passes. Draws a scene with mirrors in it; with --reference the same picture is traced with
 // Embree instead.
+#include "command_line.h"
 #include "draw.h"
 #include "options.h"
 #include "setup.h"

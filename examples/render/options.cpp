@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include "command_line.h"
+
 #include <mirrorball/error.h>
 
 #include <mirrorball/io/image.h>

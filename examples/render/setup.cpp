@@ -1,5 +1,7 @@
 #include "setup.h"
 
+#include "command_line.h"
+
 #include <mirrorball/error.h>
 
 #include <glm/common.hpp>

@@ -1,5 +1,7 @@
 #include "support/parallax.h"
 
+#include "command_line.h"
+
 #include "support/picture_error.h"
 
 #include <glm/geometric.hpp>
