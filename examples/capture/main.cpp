@@ -67,6 +67,7 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
     desc.background = glm::vec4(scene.background, 1.0f);
     desc.method = options.method;
     desc.epsilon = static_cast<float>(options.epsilon);
+    desc.nearFirst = options.nearFirst;
     desc.mipLevels = desc.nearestDistances = false; // of the map alone a file is made
     desc.pastSeams = true;                          // and of all of it
     mirrorball::ReflectionProbe probe(desc);

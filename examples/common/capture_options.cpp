@@ -32,6 +32,7 @@ void addCaptureOptions(CLI::App& app, CaptureOptions& options)
     addInteger(app, "--size", options.size, "texels across the short side of a component");
     addChoice(app, "--method", options.method, captureMethods(), "how triangles are drawn into the map");
     addNumber(app, "--epsilon", options.epsilon, "texels that the method automatic may be off by");
+    app.add_flag("--near-first", options.nearFirst, "draw from near to far and leave out what is hidden");
     addNumber(app, "--far", options.far, "farthest radial distance from the probe");
     addInteger(app, "--frames", options.frames, "how often it is drawn; times are medians");
     app.add_flag("--reference", options.reference, "trace with Embree instead of drawing");

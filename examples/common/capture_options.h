@@ -32,7 +32,8 @@ struct CaptureOptions
     int size = 256;
     mirrorball::CaptureMethod method = mirrorball::CaptureMethod::automatic;
     double epsilon = 1.0 / 16.0; // texels that automatic may be off by
-    double far = 10000.0;        // radial, from the probe
+    bool nearFirst = false;
+    double far = 10000.0; // radial, from the probe
     int frames = 1;
     bool reference = false;
     std::string stats;

@@ -72,6 +72,7 @@ void Renderer::addMirror(const Mirror& mirror, const Options& options)
                                   .background = glm::vec4(setup_.scene.background, 1.0f),
                                   .method = options.method,
                                   .epsilon = static_cast<float>(options.epsilon),
+                                  .nearFirst = options.nearFirst,
                                   .layersOfDepth = options.lookup == mirrorball::Lookup::layered ? 2 : 1});
     }
     mirrors_.push_back(std::move(drawn));

@@ -3,6 +3,7 @@
 #include "findings.h"
 #include "freed_memory.h"
 #include "look_up_run.h"
+#include "mirror_contender.h"
 #include "output.h"
 #include "plan.h"
 #include "run.h"
@@ -10,6 +11,7 @@
 #include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace {
@@ -125,8 +127,11 @@ int main(int argc, char** argv)
                  "the library, beside cube maps written by hand."};
     app.name("benchmark");
     std::vector<std::pair<std::string, std::string>> scenes, methods;
-    for (const SceneChoice& scene : sceneChoices()) // those with a mirror are among them
+    for (const SceneChoice& scene : sceneChoices())
         scenes.emplace_back(scene.name, scene.name);
+    for (const MirrorScene& scene : mirrorScenes())
+        if (std::ranges::none_of(scenes, [&](const auto& each) { return each.first == scene.name; }))
+            scenes.emplace_back(scene.name, scene.name);
     for (const LibraryMethod& method : libraryMethods())
         methods.emplace_back(method.name, method.name);
     std::vector<std::pair<std::string, mirrorball::MapKind>> maps;

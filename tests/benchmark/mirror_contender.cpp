@@ -4,6 +4,9 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+#include <iterator>
+
 namespace tests::benchmark {
 
 namespace {
@@ -121,6 +124,14 @@ void HandMirror::drawMirror() const
     mirror_.draw(canvas_.pictureView(), 1);
 }
 
+// Where ball, eye and light are in a room of the house.
+std::vector<std::string> placesOf(std::string_view name)
+{
+    const auto room = std::find_if(std::begin(houseRooms), std::end(houseRooms),
+                                   [=](const HouseRoom& each) { return each.name == name; });
+    return {"--at", room->at, "--eye", room->eye, "--light", room->light};
+}
+
 render::Options optionsOf(const MirrorScene& scene)
 {
     std::vector<std::string> words = {std::string(scene.source), "--reflector", "sphere:0.5", "--pixels",
@@ -151,13 +162,10 @@ examples::Scene litScene(const render::Setup& setup)
 
 const std::vector<MirrorScene>& mirrorScenes()
 {
-    static const std::vector<MirrorScene> scenes = {
-        {"room", "builtin:room", {}, true},
-        {"garden", "builtin:garden", {}, false},
-        {"house",
-         "/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc",
-         {"--at", "9.8,1.1,-1.9", "--eye", "8.8,1.4,-1", "--light", "10.5,2.4,-1"},
-         false}};
+    static const std::vector<MirrorScene> scenes = {{"room", "builtin:room", {}, true},
+                                                    {"garden", "builtin:garden", {}, false},
+                                                    {"house", houseFile, placesOf("living room"), false},
+                                                    {"bathroom", houseFile, placesOf("bathroom"), false}};
     return scenes;
 }
 

@@ -19,7 +19,8 @@ namespace tests::benchmark {
 // A ball of radius 0.5 in a scene, and the picture of it, 1280 × 720.
 struct MirrorScene
 {
-    std::string_view name, source;
+    std::string_view name;
+    std::string source;
     std::vector<std::string> words; // of render's command line: where ball, eye and light are
     bool quick;                     // part of --quick
 };
