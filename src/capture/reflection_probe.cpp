@@ -1,5 +1,6 @@
 #include <mirrorball/capture/reflection_probe.h>
 
+#include "capture/cheapest_pose.h"
 #include "capture/layer_check.h"
 #include "capture/map_textures.h"
 #include "capture/pose.h"
@@ -145,6 +146,11 @@ void ReflectionProbe::setPose(const glm::dmat4& worldFromProbe)
 {
     rigidPose(worldFromProbe); // throws before anything changes
     implementation_->desc.worldFromProbe = worldFromProbe;
+}
+
+glm::dmat4 ReflectionProbe::cheapestPose(std::span<const CaptureMesh> meshes) const
+{
+    return capture::cheapestPose(implementation_->desc, meshes);
 }
 
 void ReflectionProbe::setCaptureOrigin(const glm::dvec3& captureOrigin)

@@ -18,7 +18,8 @@ constexpr float usual = 1.0f / 16.0f, coarsest = 0.5f;
 
 constexpr LibraryMethod methods[] = {
     {"automatic", CaptureMethod::automatic, LayerOrder::oneAtATime, usual},
-    {"automatic-near-first", CaptureMethod::automatic, LayerOrder::oneAtATime, usual, true},
+    {"automatic-near-first", CaptureMethod::automatic, LayerOrder::oneAtATime, usual, true, false},
+    {"automatic-turned", CaptureMethod::automatic, LayerOrder::oneAtATime, usual, false, true},
     {"exact", CaptureMethod::exact, LayerOrder::oneAtATime, usual},
     {"perVertex", CaptureMethod::perVertex, LayerOrder::oneAtATime, usual},
     {"tessellated", CaptureMethod::tessellated, LayerOrder::oneAtATime, coarsest},
@@ -90,6 +91,22 @@ std::vector<mirrorball::CaptureMesh> Stage::meshes(View view, bool cullBackFaces
     return meshes;
 }
 
+const glm::dmat4& Stage::cheapestPose(mirrorball::MapKind map) const
+{
+    const auto [pose, isNew] = cheapestPoses_.try_emplace(map);
+    if (isNew) {
+        const mirrorball::ReflectionProbe probe(
+            {.map = map,
+             .worldFromProbe = glm::translate(glm::dmat4(1.0), choice_.at),
+             .captureOrigin = choice_.at,
+             .near = choice_.near,
+             .far = choice_.far,
+             .mipLevels = false});
+        pose->second = probe.cheapestPose(meshes(View::colour, false));
+    }
+    return pose->second;
+}
+
 void Stage::drawMesh(std::size_t mesh, unsigned int program, int instances, unsigned int primitive) const
 {
     if (endsBeforeRasteriser_)
@@ -119,7 +136,8 @@ std::unique_ptr<Contender> makeLibraryContender(const LibraryMethod& method, mir
     mirrorball::ReflectionProbe::Desc desc;
     desc.map = map;
     desc.n = n;
-    desc.worldFromProbe = glm::translate(glm::dmat4(1.0), choice.at);
+    desc.worldFromProbe =
+        method.isTurned ? stage.cheapestPose(map) : glm::translate(glm::dmat4(1.0), choice.at);
     desc.captureOrigin = choice.at;
     desc.near = choice.near;
     desc.far = choice.far;

@@ -7,6 +7,7 @@
 #include <mirrorball/capture/reflection_probe.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -38,6 +39,9 @@ public:
     // Lets draws end before the rasteriser (GL_RASTERIZER_DISCARD): what is left is vertex and geometry work.
     void endBeforeRasteriser(bool ends) { endsBeforeRasteriser_ = ends; }
 
+    // A probe's, as ReflectionProbe::cheapestPose turns it.
+    const glm::dmat4& cheapestPose(mirrorball::MapKind map) const;
+
     std::size_t triangleCount() const { return drawable_.triangleCount(); }
     std::size_t vertexCount() const;
 
@@ -48,6 +52,7 @@ private:
     examples::GlScene drawable_;
     examples::PhongView phong_;
     bool endsBeforeRasteriser_ = false;
+    mutable std::map<mirrorball::MapKind, glm::dmat4> cheapestPoses_;
 };
 
 struct Work
@@ -80,6 +85,7 @@ struct LibraryMethod
     mirrorball::LayerOrder layers;
     float epsilon; // texels, of those that approximate
     bool nearFirst = false;
+    bool isTurned = false; // by cheapestPose
 };
 std::span<const LibraryMethod> libraryMethods();
 

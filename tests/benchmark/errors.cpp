@@ -100,7 +100,7 @@ bool belongs(mirrorball::MapKind map, int component, const glm::dvec2& uv, const
 } // namespace
 
 std::vector<TrueTexel> traceMap(const examples::ReferenceTracer& tracer, const SceneChoice& scene,
-                                mirrorball::MapKind map, int n)
+                                mirrorball::MapKind map, int n, const glm::dmat3& worldFromProbe)
 {
     const mirrorball::MapInfo& info = mirrorball::mapInfo(map);
     const int width = info.widthInN * n, height = info.heightInN * n;
@@ -115,9 +115,10 @@ std::vector<TrueTexel> traceMap(const examples::ReferenceTracer& tracer, const S
         const int component = job / rowsJudged, row = job % rowsJudged * step;
         for (int column = 0; column < width; column += step) {
             const glm::dvec2 uv = glm::dvec2(column + 0.5, row + 0.5) * texel;
-            const glm::dvec3 direction = examples::referenceDirection(info.name, component, uv.x, uv.y);
-            if (!belongs(map, component, uv, direction, texel))
+            const glm::dvec3 inProbe = examples::referenceDirection(info.name, component, uv.x, uv.y);
+            if (!belongs(map, component, uv, inProbe, texel))
                 continue;
+            const glm::dvec3 direction = worldFromProbe * inProbe;
             const examples::Hit hit = tracer.trace(scene.at, direction, static_cast<double>(scene.near),
                                                    static_cast<double>(scene.far));
             const auto index =

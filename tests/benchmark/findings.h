@@ -34,7 +34,7 @@ struct AimInfo
 
     bool isReached(double measured) const { return atLeast ? measured >= limit : measured <= limit; }
 };
-inline constexpr std::size_t aimCount = 6;
+inline constexpr std::size_t aimCount = 7;
 std::span<const AimInfo, aimCount> aimInfos();
 
 // What a scene has of them, at n = 256 or the first size that was run; empty where it was not measured.

@@ -58,6 +58,8 @@ bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const G
     // Models have many surfaces behind one another.
     if (method.nearFirst)
         return contains(mainMaps, map) && group.cubeN == mainN && isModel(*group.scene);
+    if (method.isTurned)
+        return contains(mainMaps, map) && group.cubeN == mainN;
     const bool isAutomatic = method.method == mirrorball::CaptureMethod::automatic;
     const bool isExact = method.method == mirrorball::CaptureMethod::exact;
     if (method.layers == mirrorball::LayerOrder::allAtOnce)

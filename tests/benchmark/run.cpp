@@ -50,9 +50,11 @@ public:
 
     Errors errors(const Entry& entry, bool cullBackFaces)
     {
-        const auto [truth, isNew] = truths_.try_emplace({entry.map, entry.n});
+        const bool isTurned = entry.method != nullptr && entry.method->isTurned;
+        const auto [truth, isNew] = truths_.try_emplace({entry.map, entry.n, isTurned});
         if (isNew)
-            truth->second = traceMap(tracer_, stage_.choice(), entry.map, entry.n);
+            truth->second = traceMap(tracer_, stage_.choice(), entry.map, entry.n,
+                                     isTurned ? glm::dmat3(stage_.cheapestPose(entry.map)) : glm::dmat3(1.0));
         return errorsOf([&](examples::View view) { return make(entry, stage_, cullBackFaces, view); },
                         truth->second, scene_, stage_.choice().at);
     }
@@ -64,7 +66,7 @@ private:
     std::unique_ptr<examples::Scene> ownVertices_;
     std::unique_ptr<Stage> ownVerticesStage_;
     examples::ReferenceTracer tracer_;
-    std::map<std::pair<MapKind, int>, std::vector<TrueTexel>> truths_;
+    std::map<std::tuple<MapKind, int, bool>, std::vector<TrueTexel>> truths_;
 };
 
 // Ratios to the culled six passes, and to the best of the hand-written cubes.

@@ -70,7 +70,8 @@ void add(Exactness& total, const Exactness& part)
 Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
                       mirrorball::ReflectionProbe::Desc desc)
 {
-    desc.worldFromProbe = glm::translate(glm::dmat4(1.0), at);
+    const glm::dmat3 worldFromProbe(desc.worldFromProbe);
+    desc.worldFromProbe[3] = glm::dvec4(at, 1.0);
     desc.captureOrigin = at;
     desc.colour = mirrorball::ColourFormat::rgba32f;
     desc.pastSeams = true; // every texel is judged
@@ -96,8 +97,9 @@ Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
         examples::forEachRow(height, [&](int row) {
             Exactness part;
             for (int column = 0; column < width; ++column) {
-                const glm::dvec3 direction = examples::referenceDirection(
-                    info.name, layer, (column + 0.5) / width, (row + 0.5) / height);
+                const glm::dvec3 direction =
+                    worldFromProbe * examples::referenceDirection(info.name, layer, (column + 0.5) / width,
+                                                                  (row + 0.5) / height);
                 const examples::Hit hit = tracer.trace(at, direction, static_cast<double>(probe.near()),
                                                        static_cast<double>(desc.far));
                 const std::size_t texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
