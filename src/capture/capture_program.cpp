@@ -281,6 +281,11 @@ CaptureProgram::Implementation::Implementation(Desc givenDesc)
         if (const std::string clash = shader->nameBeginningWith(capture::prefix); !clash.empty())
             throw Error(ErrorKind::badShader, shader->name(), "it uses the name '" + clash + "'",
                         "names that begin with " + capture::prefix + " are the library's");
+    const bool isName =
+        !desc.position.empty() && std::ranges::all_of(desc.position, capture::continuesIdentifier);
+    if (isName && !vertex.mentions(desc.position))
+        throw Error(ErrorKind::badShader, vertex.name(), "it has no '" + desc.position + "'",
+                    "say with CaptureProgram::Desc::position what holds the position in world space");
 }
 
 bool CaptureProgram::Implementation::fits(const capture::Variant& variant) const

@@ -35,6 +35,9 @@ void requirePossibleMethod(const ReflectionProbe::Desc& desc)
 
 void requirePossible(const ReflectionProbe::Desc& desc)
 {
+    if (static_cast<std::size_t>(desc.map) >= maps().size())
+        throw Error(ErrorKind::badArgument, "a probe's map", "there is none of this number",
+                    "take one of MapKind's");
     requireFinite(desc.captureOrigin, "a capture origin");
     gl::requireContext();
     requireMapSize(desc.map, desc.n, desc.supersample);

@@ -30,6 +30,16 @@ using capture::MapSize;
 using capture::RaisedFlag;
 using capture::rigidPose;
 
+void requireUsable(const CaptureMesh& mesh, const std::string& asked)
+{
+    if (mesh.program == nullptr)
+        throw Error(ErrorKind::badArgument, asked, "a mesh has no program", "set CaptureMesh::program");
+    if (mesh.bounds && mesh.bounds->radius < 0.0f)
+        throw Error(ErrorKind::badArgument, asked,
+                    "a mesh's bounds have the radius " + std::to_string(mesh.bounds->radius),
+                    "give 0 or more, or no bounds");
+}
+
 } // namespace
 
 ReflectionProbe::Implementation::Implementation(const Desc& given)
@@ -233,11 +243,11 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
 {
     Implementation& self = *implementation_;
     self.requireReady();
-    for (const CaptureMesh& mesh : meshes) {
-        if (mesh.program == nullptr)
-            throw Error(ErrorKind::badArgument, "a capture of probe '" + self.desc.name + "'",
-                        "a mesh has no program", "set CaptureMesh::program");
-    }
+    const std::string asked = "a capture of probe '" + self.desc.name + "'";
+    if (!draw)
+        throw Error(ErrorKind::badArgument, asked, "there is no function to draw with", "hand one over");
+    for (const CaptureMesh& mesh : meshes)
+        requireUsable(mesh, asked);
     self.place();
     self.compile(meshes);
     return self.fill([&] {
@@ -252,6 +262,9 @@ CaptureReport ReflectionProbe::capture(const DrawScene& drawScene)
 {
     Implementation& self = *implementation_;
     self.requireReady();
+    if (!drawScene)
+        throw Error(ErrorKind::badArgument, "a capture of probe '" + self.desc.name + "'",
+                    "there is no function to draw with", "hand one over");
     self.place();
     return self.fill([&] {
         const bool together = self.together();
@@ -302,9 +315,7 @@ unsigned int CaptureView::use(CaptureProgram& program)
 
 unsigned int CaptureView::use(const CaptureMesh& mesh)
 {
-    if (mesh.program == nullptr)
-        throw Error(ErrorKind::badArgument, "a view of probe '" + probe_->desc.name + "'",
-                    "a mesh has no program", "set CaptureMesh::program");
+    requireUsable(mesh, "a view of probe '" + probe_->desc.name + "'");
     return probe_->use(mesh, view_);
 }
 

@@ -59,7 +59,7 @@ bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const G
     if (method.nearFirst)
         return contains(mainMaps, map) && group.cubeN == mainN && isModel(*group.scene);
     if (method.isTurned)
-        return contains(mainMaps, map) && group.cubeN == mainN;
+        return !options.quick && contains(mainMaps, map) && group.cubeN == mainN;
     const bool isAutomatic = method.method == mirrorball::CaptureMethod::automatic;
     const bool isExact = method.method == mirrorball::CaptureMethod::exact;
     if (method.layers == mirrorball::LayerOrder::allAtOnce)

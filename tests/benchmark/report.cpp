@@ -42,9 +42,8 @@ void writeRivalCheck(std::ostream& out, const std::vector<RivalCheck>& checks)
            "scene of "
            "the same kind. It must lie within 15 %, and depends on what a triangle costs that no face shows: "
            "there 25 to "
-           "29 ns. That is what it is here where no vertex is shared between triangles; where they are, as "
-           "in the scene "
-           "itself, it is less, and culling gains less.\n\n| scene | vertices | an unseen triangle, ns | "
+           "29 ns. Where no vertex is shared between triangles it is more than in the scene itself, and "
+           "culling gains more.\n\n| scene | vertices | an unseen triangle, ns | "
            "culled / plain | "
            "independent | off by | |\n|---|---|---|---|---|---|---|\n";
     for (const RivalCheck& check : checks)

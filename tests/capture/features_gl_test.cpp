@@ -336,6 +336,21 @@ void checkLimits()
     desc.n = largest / 4 + 1;
     desc.supersample = 4;
     CHECK_THROWS(ReflectionProbe{desc}, ErrorKind::badArgument);
+    CHECK_THROWS(ReflectionProbe({.map = static_cast<MapKind>(99)}), ErrorKind::badArgument);
+}
+
+// What a capture refuses, before it draws anything.
+void checkRefused(const tests::SixWalls& walls)
+{
+    ReflectionProbe probe(descOf(MapKind::tennisBall));
+    CaptureMesh mesh = walls.mesh();
+    CHECK_THROWS(probe.capture({&mesh, 1}, ReflectionProbe::DrawMesh{}), ErrorKind::badArgument);
+    CHECK_THROWS(probe.capture(ReflectionProbe::DrawScene{}), ErrorKind::badArgument);
+    mesh.bounds = Sphere{glm::vec3(0.0f), -1.0f};
+    const auto draw = [](const CaptureMesh&, const CaptureDraw&) { CHECK(!"drawn"); };
+    CHECK_THROWS(probe.capture({&mesh, 1}, draw), ErrorKind::badArgument);
+    mesh.program = nullptr;
+    CHECK_THROWS(probe.capture({&mesh, 1}, draw), ErrorKind::badArgument);
 }
 
 } // namespace
@@ -361,6 +376,7 @@ int main(int argc, char** argv)
     checkTakenOver(GL_TEXTURE_2D, hostile);
     checkTakenOver(GL_TEXTURE_RECTANGLE, hostile);
     checkLimits();
+    checkRefused(walls);
     CHECK(tests::takeErrors().empty());
     return 0;
 }

@@ -164,11 +164,29 @@ void checkMessages(const WallPatches& walls)
             "'vec3 block.a'");
 }
 
+// A position that the vertex shader has not.
+void checkPosition()
+{
+    try {
+        CaptureProgram(
+            {.name = "plain",
+             .vertexSource = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n",
+             .fragmentSource = "#version 330 core\nout vec4 colour;\nvoid main() { colour = vec4(0.0); }\n"});
+        CHECK(!"accepted");
+    } catch (const Error& error) {
+        CHECK(error.kind() == ErrorKind::badShader);
+        const std::string message = error.what();
+        CHECK(message.find("positionInWorld") != std::string::npos &&
+              message.find("Desc::position") != std::string::npos);
+    }
+}
+
 } // namespace
 
 int main()
 {
     const headless::Context context;
+    checkPosition();
     const WallPatches walls;
     checkMessages(walls);
     std::printf("%s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));

@@ -26,7 +26,7 @@ public:
         std::string name = "capture program"; // for messages
         std::string vertexSource;
         std::string fragmentSource;
-        std::string position = "positionInWorld"; // usually the name of a varying
+        std::string position = "positionInWorld"; // usually the name of a varying, as here
     };
 
     // Reads both sources; throws Error badShader for what capture cannot use. Programs are compiled when a
