@@ -244,7 +244,7 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
     Implementation& self = *implementation_;
     self.requireReady();
     const std::string asked = "a capture of probe '" + self.desc.name + "'";
-    if (!draw)
+    if (!draw && !meshes.empty())
         throw Error(ErrorKind::badArgument, asked, "there is no function to draw with", "hand one over");
     for (const CaptureMesh& mesh : meshes)
         requireUsable(mesh, asked);

@@ -76,7 +76,8 @@ std::vector<glm::vec2> marker(std::size_t index, const glm::vec2& at, float radi
     {
         int corners;
         float turn; // radians
-    } shapes[] = {{24, 0.0f}, {4, 0.785f}, {3, -1.571f}, {4, 0.0f}, {3, 1.571f}, {5, -1.571f}, {6, 0.0f}};
+    } shapes[] = {{24, 0.0f},  {4, 0.785f},  {3, -1.571f}, {4, 0.0f},
+                  {3, 1.571f}, {5, -1.571f}, {6, 0.0f},    {3, 0.0f}};
     const auto& shape = shapes[index % std::size(shapes)];
     std::vector<glm::vec2> points;
     for (int corner = 0; corner < shape.corners; ++corner) {
