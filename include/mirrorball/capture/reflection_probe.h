@@ -99,13 +99,13 @@ public:
 
     // Moves the probe; takes effect with the next capture.
     void setPose(const glm::dmat4& worldFromProbe);
+    void setCaptureOrigin(const glm::dvec3& captureOrigin);
+
     // The pose, turned about the probe's centre, from which a capture of these meshes sends the fewest triangles
     // (CaptureMesh::triangles; of equals, that of the fewest draws), since seams pass between them: the present one or
     // the best of 256 turns spread evenly. Look-ups follow the pose, so that mirrors look the same. For a probe that
     // stands still: it asks touches() some 500 times a mesh. Only meshes with bounds tell anything.
     glm::dmat4 cheapestPose(std::span<const CaptureMesh> meshes) const;
-
-    void setCaptureOrigin(const glm::dvec3& captureOrigin);
 
     // Draws the meshes into a new map and swaps it in when all of it is done. What the callback throws is
     // passed on after the state is restored. Throws Error hostBusy when called from inside a capture of the
