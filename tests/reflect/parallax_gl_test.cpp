@@ -58,7 +58,7 @@ void testRoom()
         CHECK(errors.distance.psnr >= errors.infinite.psnr + 8.0);
         // What is left is mostly the edges of things, a texel wide in the map; the tennis-ball map's texels are
         // the smallest.
-        CHECK(errors.layered.psnr >= errors.infinite.psnr + (map == MapKind::tennisBall ? 12.0 : 9.0));
+        CHECK(errors.layered.psnr >= errors.infinite.psnr + (map == MapKind::tennisBall ? 12.0 : 8.5));
     }
 }
 

@@ -5,10 +5,14 @@
 // |v| is linear in v. So regula falsi finds a plane in one step, however far it is, and nothing beyond the march's
 // end is left out.
 uniform int mirrorball_nearestLevel; // of the distances: there a texel holds the nearest of a block; 0 for none
+// Of the march; what is thinner than one may be missed. Steps are denser towards the end, by the more the smaller
+// mirrorball_even.
 #if MIRRORBALL_LAYERED
-const int mirrorball_steps = 48; // of the march; what is thinner than one may be missed
+const int mirrorball_steps = 28;
+const float mirrorball_even = 0.3;
 #else
-const int mirrorball_steps = 20;
+const int mirrorball_steps = 18;
+const float mirrorball_even = 0.0;
 #endif
 const int mirrorball_refinements = 6; // of one crossing: three of them halve the interval, to a few texels at most
 // Parts of the distance. So close to a surface a point lies on it; what is found farther behind it has not met it but
@@ -136,11 +140,12 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
     bool found = false;
 #if MIRRORBALL_LAYERED
     vec2 slipped = vec2(-1.0); // where the ray first came behind the first surface without meeting it
+    float front = 0.0;         // how far it is behind the second surface at `previous`, if behind the first
 #endif
     for (int step = 1; step <= mirrorball_steps && !found; ++step) {
-        // Denser towards the end: half as far from it, surfaces are twice as far away.
+        // Half as far from the end, surfaces are twice as far away.
         float remaining = 1.0 - float(step) / float(mirrorball_steps);
-        float next = 1.0 - (1.0 - first) * remaining * remaining;
+        float next = 1.0 - (1.0 - first) * remaining * mix(remaining, 1.0, mirrorball_even);
         float after = mirrorball_behind(mirrorball_distanceMap, ray, next);
         // Loops of one turn, since software rasterisers skip loops that nobody enters and walk through both sides of an if.
         for (int turns = before < 0.0 && after >= 0.0 ? 1 : 0; turns > 0; --turns) {
@@ -149,16 +154,17 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
             shown = vec4(mirrorball_at(ray, found ? interval.y : interval.x), 0.0);
 #if MIRRORBALL_LAYERED
             slipped = found || slipped.y > 0.0 ? slipped : interval;
+            front = mirrorball_behind(mirrorball_hiddenDistanceMap, ray, previous);
 #endif
         }
 #if MIRRORBALL_LAYERED
         // Only what is behind the first surface can be behind the second; nothing is known of what would be infinitely far.
         for (int turns = after >= 0.0 && next < 1.0 && !found ? 1 : 0; turns > 0; --turns) {
             vec2 interval = vec2(previous, next);
-            float front = mirrorball_behind(mirrorball_hiddenDistanceMap, ray, previous);
             float back = mirrorball_behind(mirrorball_hiddenDistanceMap, ray, next);
             found = mirrorball_meets(mirrorball_hiddenDistanceMap, ray, front, back, interval);
             shown = found ? vec4(mirrorball_at(ray, interval.y), 1.0) : shown;
+            front = back;
         }
 #endif
         before = after;
