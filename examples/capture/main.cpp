@@ -72,9 +72,7 @@ Files drawMap(const Options& options, const Scene& scene, Stats& stats)
     desc.pastSeams = true;                          // and of all of it
     mirrorball::ReflectionProbe probe(desc);
     const GlScene drawable(scene, desc.captureOrigin);
-    mirrorball::CaptureProgram program({.name = "phong",
-                                        .vertexSource = phongVertexSource(),
-                                        .fragmentSource = phongFragmentSource(options.view)});
+    mirrorball::CaptureProgram program = phongCaptureProgram(options.view);
     const std::vector<mirrorball::CaptureMesh> meshes = drawable.captureMeshes(program);
     const PhongView phong{glm::vec3(lightOf(options, scene) - desc.captureOrigin), glm::vec3(0.0f)};
     const auto draw = [&](const mirrorball::CaptureMesh& mesh, const mirrorball::CaptureDraw& call) {

@@ -138,6 +138,12 @@ std::string phongFragmentSource(View view)
     return fragmentPrelude(view) + std::string(shaders::surface) + std::string(shaders::phongFrag);
 }
 
+mirrorball::CaptureProgram phongCaptureProgram(View view)
+{
+    return mirrorball::CaptureProgram(
+        {.name = "phong", .vertexSource = phongVertexSource(), .fragmentSource = phongFragmentSource(view)});
+}
+
 std::string pictureFragmentSource(View view)
 {
     return fragmentPrelude(view) + std::string(shaders::surface) + std::string(shaders::pictureFrag);

@@ -18,9 +18,10 @@ namespace examples {
 // What the fragment shader writes: the number is that of #if VIEW in surface.glsl.
 enum class View { colour = 0, position = 1, normal = 2, triangle = 3 };
 
-// The vertex and fragment shader that draw the scene, as text, for a mirrorball::CaptureProgram: pass 1.
+// The vertex and fragment shader that draw the scene in pass 1, as text and as a program.
 std::string phongVertexSource();
 std::string phongFragmentSource(View view);
+mirrorball::CaptureProgram phongCaptureProgram(View view = View::colour);
 
 // The fragment shader that draws the scene into a picture: output 0 is the colour, output 1 the distance from
 // the eye and 0, where a reflector writes its number from 1.

@@ -67,7 +67,7 @@ Picture drawPicture(const Setup& setup, const Options& options, Stats& stats)
     const mirrorball::headless::Context context;
     stats.add("driver", context.description());
     Canvas canvas(setup, options.view, options.pixels);
-    mirrorball::CaptureProgram program = phongCaptureProgram();
+    mirrorball::CaptureProgram program = examples::phongCaptureProgram();
     Renderer renderer(setup, options, canvas, program);
     const mirrorball::CaptureReport report = measureFrames(canvas, renderer, options.frames, stats);
     stats.add("draws", report.draws);
@@ -88,7 +88,7 @@ void drawPath(const Setup& setup, const Options& options, const std::vector<Came
 {
     const mirrorball::headless::Context context;
     Canvas canvas(setup, options.view, options.pixels);
-    mirrorball::CaptureProgram program = phongCaptureProgram();
+    mirrorball::CaptureProgram program = examples::phongCaptureProgram();
     Renderer renderer(setup, options, canvas, program);
     renderer.capture();
     for (const Camera& camera : path) {

@@ -7,13 +7,6 @@ using mirrorball::CaptureDraw;
 using mirrorball::CaptureMesh;
 using mirrorball::ReflectionProbe;
 
-mirrorball::CaptureProgram phongCaptureProgram()
-{
-    return mirrorball::CaptureProgram({.name = "phong",
-                                       .vertexSource = phongVertexSource(),
-                                       .fragmentSource = phongFragmentSource(View::colour)});
-}
-
 Renderer::Renderer(const Setup& setup, const Options& options, const Canvas& canvas,
                    mirrorball::CaptureProgram& captureProgram)
     : setup_(setup), canvas_(canvas), captureProgram_(captureProgram)

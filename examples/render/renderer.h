@@ -11,9 +11,6 @@
 
 namespace render {
 
-// The programs' shaders for pass 1.
-mirrorball::CaptureProgram phongCaptureProgram();
-
 // All that it is made with outlives it.
 class Renderer
 {

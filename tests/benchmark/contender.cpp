@@ -71,10 +71,7 @@ private:
 CapturePrograms::CapturePrograms()
 {
     for (const View view : {View::colour, View::position, View::normal, View::triangle})
-        programs_.emplace_back(
-            mirrorball::CaptureProgram::Desc{.name = "phong",
-                                             .vertexSource = examples::phongVertexSource(),
-                                             .fragmentSource = examples::phongFragmentSource(view)});
+        programs_.push_back(examples::phongCaptureProgram(view));
 }
 
 Stage::Stage(const SceneChoice& choice, const examples::Scene& scene, CapturePrograms& programs)

@@ -32,9 +32,7 @@ struct Found
 Found turned(const examples::Scene& scene, const ReflectionProbe::Desc& desc)
 {
     const examples::GlScene drawable(scene, desc.captureOrigin);
-    CaptureProgram program({.name = "phong",
-                            .vertexSource = examples::phongVertexSource(),
-                            .fragmentSource = examples::phongFragmentSource(examples::View::colour)});
+    CaptureProgram program = examples::phongCaptureProgram();
     const std::vector<CaptureMesh> meshes = drawable.captureMeshes(program);
     ReflectionProbe probe(desc);
     Found found;

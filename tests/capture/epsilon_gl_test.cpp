@@ -47,9 +47,7 @@ Captured captured(const examples::Scene& scene, const glm::dvec3& at, MapKind ma
     desc.epsilon = epsilon;
     ReflectionProbe probe(desc);
     const examples::GlScene drawable(scene, at);
-    CaptureProgram program({.name = "position",
-                            .vertexSource = examples::phongVertexSource(),
-                            .fragmentSource = examples::phongFragmentSource(examples::View::position)});
+    CaptureProgram program = examples::phongCaptureProgram(examples::View::position);
     const CaptureReport report =
         probe.capture(drawable.captureMeshes(program), [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
             drawable.drawMesh(mesh.id, draw.program, {});

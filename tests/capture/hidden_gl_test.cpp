@@ -39,9 +39,7 @@ void checkCrowd()
 {
     const examples::Scene scene = examples::loadScene("builtin:crowd:12000");
     const examples::GlScene drawable(scene, glm::dvec3(0.0));
-    CaptureProgram program({.name = "phong",
-                            .vertexSource = examples::phongVertexSource(),
-                            .fragmentSource = examples::phongFragmentSource(examples::View::colour)});
+    CaptureProgram program = examples::phongCaptureProgram();
     std::vector<CaptureMesh> meshes = drawable.captureMeshes(program);
     std::erase_if(meshes, [&](const CaptureMesh& mesh) {
         return scene.meshes[mesh.id].name != "walls" &&
@@ -71,9 +69,7 @@ void checkSideBySide()
     examples::Scene scene = examples::loadScene("builtin:crowd:12000");
     std::erase_if(scene.meshes, [](const examples::Mesh& mesh) { return mesh.name == "walls"; });
     const examples::GlScene drawable(scene, glm::dvec3(0.0));
-    CaptureProgram program({.name = "phong",
-                            .vertexSource = examples::phongVertexSource(),
-                            .fragmentSource = examples::phongFragmentSource(examples::View::colour)});
+    CaptureProgram program = examples::phongCaptureProgram();
     const std::vector<CaptureMesh> every = drawable.captureMeshes(program);
     std::vector<CaptureMesh> apart; // six far apart in direction, at most
     for (const CaptureMesh& mesh : every) {

@@ -1,5 +1,6 @@
-// Where a host allows it, many meshes that are drawn exactly are drawn from near to far, and what lies behind is left out: no primitive of it
-// reaches the rasteriser, every texel is the same bit for bit, and the host finds its state between draws as it left it.
+// Where a host allows it, many meshes that are drawn exactly are drawn from near to far, and what lies behind is left
+// out: no primitive of it reaches the rasteriser, every texel is the same bit for bit, and the host finds its state
+// between draws as it left it.
 #include "support/check.h"
 #include "support/gl_image.h"
 #include "support/gl_state.h"
@@ -67,9 +68,7 @@ Captured captured(const examples::Scene& scene, ReflectionProbe::Desc desc, bool
     desc.nearFirst = nearFirst;
     ReflectionProbe probe(desc);
     const examples::GlScene drawable(scene, desc.captureOrigin);
-    CaptureProgram program({.name = "phong",
-                            .vertexSource = examples::phongVertexSource(),
-                            .fragmentSource = examples::phongFragmentSource(examples::View::colour)});
+    CaptureProgram program = examples::phongCaptureProgram();
     GLuint query = 0;
     glGenQueries(1, &query);
     Captured result;
@@ -158,9 +157,7 @@ void checkStateBetweenDraws(const examples::Scene& scene)
     ReflectionProbe probe(
         {.n = n, .near = 0.05f, .method = CaptureMethod::exact, .nearFirst = true, .layersOfDepth = 2});
     const examples::GlScene drawable(scene, glm::dvec3(0.0));
-    CaptureProgram program({.name = "phong",
-                            .vertexSource = examples::phongVertexSource(),
-                            .fragmentSource = examples::phongFragmentSource(examples::View::colour)});
+    CaptureProgram program = examples::phongCaptureProgram();
     GLuint texture = 0, sampler = 0;
     glGenTextures(1, &texture);
     glGenSamplers(1, &sampler);
@@ -196,9 +193,7 @@ void checkStateAfterwards(const examples::Scene& scene)
     ReflectionProbe probe(
         {.n = n, .near = 0.05f, .method = CaptureMethod::exact, .nearFirst = true, .layersOfDepth = 2});
     const examples::GlScene drawable(scene, glm::dvec3(0.0));
-    CaptureProgram program({.name = "phong",
-                            .vertexSource = examples::phongVertexSource(),
-                            .fragmentSource = examples::phongFragmentSource(examples::View::colour)});
+    CaptureProgram program = examples::phongCaptureProgram();
     const std::vector<CaptureMesh> meshes = drawable.captureMeshes(program);
     const auto bindNothing = [] {
         glBindVertexArray(0);

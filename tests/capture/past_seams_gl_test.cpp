@@ -25,9 +25,7 @@ Captured captured(const examples::Scene& scene, ReflectionProbe::Desc desc, bool
     desc.pastSeams = pastSeams;
     ReflectionProbe probe(desc);
     const examples::GlScene drawable(scene, desc.captureOrigin);
-    CaptureProgram program({.name = "phong",
-                            .vertexSource = examples::phongVertexSource(),
-                            .fragmentSource = examples::phongFragmentSource(examples::View::colour)});
+    CaptureProgram program = examples::phongCaptureProgram();
     Captured result;
     result.report =
         probe.capture(drawable.captureMeshes(program), [&](const CaptureMesh& mesh, const CaptureDraw& draw) {

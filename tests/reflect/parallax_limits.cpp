@@ -197,7 +197,7 @@ public:
             tracer_.add(mirror.reflector);
         const headless::Context context;
         const render::Canvas canvas(setup_, examples::View::colour, options.pixels);
-        CaptureProgram program = render::phongCaptureProgram();
+        CaptureProgram program = examples::phongCaptureProgram();
         render::Options layered = options;
         layered.lookup = Lookup::layered;
         render::Renderer renderer(setup_, layered, canvas, program);

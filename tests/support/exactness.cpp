@@ -77,10 +77,7 @@ Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
     desc.pastSeams = true; // every texel is judged
     mirrorball::ReflectionProbe probe(desc);
     const examples::GlScene drawable(scene, at);
-    mirrorball::CaptureProgram program(
-        {.name = "phong",
-         .vertexSource = examples::phongVertexSource(),
-         .fragmentSource = examples::phongFragmentSource(examples::View::triangle)});
+    mirrorball::CaptureProgram program = examples::phongCaptureProgram(examples::View::triangle);
     const auto meshes = drawable.captureMeshes(program);
     probe.capture(meshes, [&](const mirrorball::CaptureMesh& mesh, const mirrorball::CaptureDraw& draw) {
         drawable.drawMesh(mesh.id, draw.program, {}, 1, draw.primitive);
