@@ -89,8 +89,8 @@ void testHouse()
     const Reached reached[] = {{{0.10, 3.2, 8.0}, {0.05, 1.8, 9.0}},
                                {distance, {0.085, 1.45, 12.0}},
                                {distance, layered},
-                               {distance, {0.05, 0.8, 12.0}},
-                               {distance, {0.05, 0.9, 11.5}},
+                               {distance, {0.05, 0.9, 12.0}},
+                               {distance, {0.05, 1.0, 11.5}},
                                {{0.10, 2.0, 7.0}, {0.05, 0.6, 7.5}}};
     static_assert(std::size(reached) == std::size(tests::houseRooms));
     for (const tests::HouseRoom& room : tests::houseRooms) {

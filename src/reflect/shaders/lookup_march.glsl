@@ -8,13 +8,13 @@ uniform int mirrorball_nearestLevel; // of the distances: there a texel holds th
 // Of the march; what is thinner than one may be missed. Steps are denser towards the end, by the more the smaller
 // mirrorball_even.
 #if MIRRORBALL_LAYERED
-const int mirrorball_steps = 28;
+const int mirrorball_steps = 30;
 const float mirrorball_even = 0.3;
 #else
 const int mirrorball_steps = 18;
 const float mirrorball_even = 0.0;
 #endif
-const int mirrorball_refinements = 6; // of one crossing: three of them halve the interval, to a few texels at most
+const int mirrorball_refinements = 6; // of one crossing: three of them halve the interval
 // Parts of the distance. So close to a surface a point lies on it; what is found farther behind it has not met it but
 // slipped behind its edge.
 const float mirrorball_close = 0.005;
@@ -51,18 +51,19 @@ float mirrorball_nearestAround(mirrorball_Ray ray, float s)
     return texelFetch(mirrorball_distanceMap, texel, mirrorball_nearestLevel).r;
 }
 
-// Where the march begins: ahead of there nothing is nearer than the ray has come. Blocks are so wide that the ends of
-// the sweep and a place between see almost all of it; the second turn asks again ahead of the first one's place.
+// Where the march begins: by the blocks in four directions of the sweep nothing is nearer than the ray has come there.
+// Of a sweep of 90 degrees they are 30 apart, and something narrow between two blocks may be passed by. A ray that comes
+// nearer to the centre first (a mirror that is long or hollow has those) begins at the mirror.
 float mirrorball_firstPlace(mirrorball_Ray ray)
 {
     float place = 0.0;
-    float atEnd = min(mirrorball_nearestAround(ray, 1.0), 1e6 / ray.inverse);
-    for (int turns = mirrorball_nearestLevel > 0 ? 2 : 0; turns > 0; --turns) {
-        float nearest = min(mirrorball_nearestAround(ray, place), mirrorball_nearestAround(ray, mix(place, 1.0, 0.4)));
-        nearest = min(nearest, atEnd);
+    float cosine = dot(ray.start, ray.towards);
+    for (int turns = mirrorball_nearestLevel > 0 && cosine >= 0.0 ? 1 : 0; turns > 0; --turns) {
+        float nearest = min(min(mirrorball_nearestAround(ray, 0.0), mirrorball_nearestAround(ray, 0.366)),
+                            min(mirrorball_nearestAround(ray, 0.634), mirrorball_nearestAround(ray, 1.0)));
+        nearest = min(nearest, 1e6 / ray.inverse);
         // |p + x d| = nearest / |position| at x = s / (1 - s), and a little before, to be in front of it.
         float size = max((1.0 - 2.0 * mirrorball_close) * nearest * ray.inverse, 1.0);
-        float cosine = dot(ray.start, ray.towards);
         float x = max(sqrt(cosine * cosine + size * size - 1.0) - cosine, 0.0);
         place = x / (1.0 + x);
     }
@@ -131,7 +132,7 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
 
     float first = mirrorball_firstPlace(ray);
     float before = mirrorball_behind(mirrorball_distanceMap, ray, first);
-    // Behind something narrow between the places asked: from the start, which is in front of everything.
+    // Behind something narrow between the places asked: from the start, taken to be in front of everything.
     bool isLate = before >= 0.0;
     first = isLate ? 0.0 : first;
     before = isLate ? -ray.inverse : before;
@@ -158,7 +159,8 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
 #endif
         }
 #if MIRRORBALL_LAYERED
-        // Only what is behind the first surface can be behind the second; nothing is known of what would be infinitely far.
+        // Only what is behind the first surface can be behind the second. The last step ends at infinity, behind all: there
+        // nothing is looked for.
         for (int turns = after >= 0.0 && next < 1.0 && !found ? 1 : 0; turns > 0; --turns) {
             vec2 interval = vec2(previous, next);
             float back = mirrorball_behind(mirrorball_hiddenDistanceMap, ray, next);

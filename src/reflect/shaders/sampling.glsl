@@ -8,7 +8,12 @@ vec3 mirrorball_textureCoordinate(int component, vec2 uv)
 
 vec4 mirrorball_lookUpLevel(vec3 positionInWorld, vec3 directionInWorld, float level)
 {
-    vec3 v = mirrorball_regularDirection(mirrorball_shown(positionInWorld, directionInWorld).xyz);
+    vec4 shown = mirrorball_shown(positionInWorld, directionInWorld);
+    vec3 v = mirrorball_regularDirection(shown.xyz);
+#if MIRRORBALL_LAYERED
+    if (shown.w > 0.5)
+        return textureLod(mirrorball_hiddenColourMap, mirrorball_coordinateFromDirection(v), 0.0);
+#endif
     int component = mirrorball_regular_componentOf(v);
     vec2 uv = mirrorball_regular_squareFromDirection(component, v);
     uv = mirrorball_withinSurface(vec3(uv, float(component)));
