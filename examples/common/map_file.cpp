@@ -92,8 +92,28 @@ std::vector<Sample> reduced(const std::vector<Sample>& samples, int width, int h
     return texels;
 }
 
+namespace {
+
+// A rename that fails leaves some of the files: what would make it fail is asked for before.
+void requireReplaceable(const std::filesystem::path& path)
+{
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error))
+        throw mirrorball::Error(mirrorball::ErrorKind::unwritable, "writing '" + path.string() + "'",
+                                "'" + folder.string() + "' is not a folder", "make it first");
+    const std::filesystem::file_status there = std::filesystem::status(path, error);
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        throw mirrorball::Error(mirrorball::ErrorKind::unwritable, "writing '" + path.string() + "'",
+                                "there is something that is not a regular file");
+}
+
+} // namespace
+
 void writeAll(const std::vector<std::pair<std::filesystem::path, mirrorball::io::ExrImage>>& files)
 {
+    for (const auto& [path, image] : files)
+        requireReplaceable(path);
     std::vector<std::filesystem::path> partial;
     try {
         for (const auto& [path, image] : files) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 using tests::Environment;
 using tests::Scratch;
@@ -246,6 +247,15 @@ void testHello(const Subject& hello)
     CHECK(folder.fileCount() == 0);
 }
 
+// None of a map's files is written where one of them cannot be.
+void testHalfAMap(const Subject& capture)
+{
+    const Scratch folder;
+    std::filesystem::create_directory(folder / "map_1.exr");
+    capture.refusesExactly(failed, {"builtin:cards", "--size", "16", "-o", folder / "map"});
+    CHECK(folder.fileCount() == 1);
+}
+
 } // namespace
 
 int main()
@@ -259,6 +269,7 @@ int main()
         testOutputs(*subject, scenes, name);
         testContexts(*subject);
     }
+    testHalfAMap(capture);
     testRender(render, scenes);
     testSources(render, scenes);
     testHello(hello);

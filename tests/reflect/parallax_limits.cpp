@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -276,7 +277,7 @@ void print(const char* what, const tests::ParallaxErrors& errors, const tests::P
 } // namespace
 
 int main(int argc, char** argv)
-{
+try {
     const render::Options options = tests::renderOptions(std::vector<std::string>(argv + 1, argv + argc));
     const Limits limits(options);
     const tests::ParallaxErrors infinite = limits.drawn(options.map, Lookup::infinite);
@@ -288,4 +289,8 @@ int main(int argc, char** argv)
     print("`layered`", limits.drawn(options.map, Lookup::layered), infinite);
     print("search, both layers", limits.looked(searched, 2), infinite);
     print("told, both layers", limits.looked(told, 2), infinite);
+    return 0;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "parallax_limits: %s\n", error.what());
+    return 1;
 }
