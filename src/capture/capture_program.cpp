@@ -240,11 +240,16 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
                            "the library's tessellation evaluation shader for '" + host.desc.name + "'"});
     }
     LinkedProgram result;
-    result.program =
-        gl::linkProgram(sources, "capture program '" + host.desc.name + "'", [&](unsigned int program) {
-            glBindFragDataLocation(program, 0, host.outputs.colour.c_str());
-            glBindFragDataLocation(program, 1, (prefix + "distance").c_str());
-        });
+    try {
+        result.program =
+            gl::linkProgram(sources, "capture program '" + host.desc.name + "'", [&](unsigned int program) {
+                glBindFragDataLocation(program, 0, host.outputs.colour.c_str());
+                glBindFragDataLocation(program, 1, (prefix + "distance").c_str());
+            });
+    } catch (const Error& error) {
+        requireNoneWithoutResource(host.varyings, carriageOf(variant), error.what(), host.desc.name);
+        throw;
+    }
     const auto location = [&](const char* name) {
         return glGetUniformLocation(result.program.name(), (prefix + name).c_str());
     };
@@ -303,7 +308,7 @@ const capture::Varying* CaptureProgram::Implementation::positionVarying() const
     return found == varyings.end() ? nullptr : &*found;
 }
 
-const capture::LinkedProgram& CaptureProgram::Implementation::program(capture::Variant variant)
+capture::LinkedProgram& CaptureProgram::Implementation::program(capture::Variant variant)
 {
     variant.ownPosition = variant.ownPosition || positionVarying() == nullptr;
     const auto found = programs.find(variant);

@@ -9,6 +9,7 @@
 #include <mirrorball/gl/objects.h>
 
 #include <compare>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct LinkedProgram
         cullBackFaces, steps, firstDistance, layer, separation, farthest;
     bool usesClipDistances;
     bool writesDepth;
+    std::uint64_t preparedFor =
+        0; // the view (ReflectionProbe::Implementation::viewSerial) that its uniforms are for
+    bool cullsBackFaces = false; // the uniform, in that view
 };
 
 } // namespace mirrorball::capture
@@ -59,7 +63,7 @@ struct CaptureProgram::Implementation
     explicit Implementation(Desc givenDesc);
 
     // Compiles and links on first use. Throws Error badShader.
-    const capture::LinkedProgram& program(capture::Variant variant);
+    capture::LinkedProgram& program(capture::Variant variant);
 
     // The varying that reaches the fragment shader with what Desc::position says; null where none does.
     const capture::Varying* positionVarying() const;

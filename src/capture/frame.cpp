@@ -99,12 +99,11 @@ bool Frame::touches(int view, const Box& bounds) const
     return false;
 }
 
-Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels, bool hides) const
+Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
 {
     Variant variant{map_, Path::exact, view < 0 ? LayerOrder::allAtOnce : LayerOrder::oneAtATime, depthTerm_,
                     true};
     variant.peels = peels;
-    variant.hides = hides;
     // Triangles that span less than this (15 degrees) are nearly straight on the map, and a simple polygon covers
     // each closely: within 60 degrees of a component's equator, and what lies farther up does not reach the layer.
     constexpr double largeSpan = 0.26;
@@ -131,7 +130,7 @@ Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels, bool hid
              mappingSuffices(map_, view, seen, n_, epsilon_))
         variant.path = Path::mapped;
     if (variant.path != Path::exact)
-        variant.large = variant.hides = false;
+        variant.large = false;
     // A position in the host's frame, interpolated before the centre is subtracted, is rounded to the centre's
     // last digits: to 1e-5 of any distance, as near as this.
     const bool isClose = glm::length(centre()) < 32.0 * static_cast<double>(near_);

@@ -32,9 +32,8 @@ public:
     bool touches(int view, const Sphere& bounds) const;
     bool touches(int view, const Box& bounds) const;
 
-    // How a mesh is drawn in a view, or into all layers at once (view < 0); hides: while FarthestBlocks hold what
-    // has been drawn.
-    Variant variantOf(const CaptureMesh& mesh, int view, bool peels, bool hides) const;
+    // How a mesh is drawn in a view, or into all layers at once (view < 0).
+    Variant variantOf(const CaptureMesh& mesh, int view, bool peels) const;
 
     // To the middle of a mesh's bounds; 0 without.
     double distanceTo(const CaptureMesh& mesh) const;

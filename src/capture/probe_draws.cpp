@@ -9,6 +9,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace mirrorball {
 
@@ -25,12 +26,6 @@ constexpr std::size_t firstBatch = 8;
 
 } // namespace
 
-std::vector<bool> ReflectionProbe::Implementation::wantedInLayer(std::span<const CaptureMesh> meshes) const
-{
-    return peeling ? capture::mayBeHidden(meshes, frame, static_cast<double>(desc.layerSeparation))
-                   : std::vector<bool>(meshes.size(), true);
-}
-
 // What the host's draws must be made of.
 unsigned int ReflectionProbe::Implementation::primitive() const
 {
@@ -38,38 +33,62 @@ unsigned int ReflectionProbe::Implementation::primitive() const
     return cuts ? GL_PATCHES : GL_TRIANGLES;
 }
 
-unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int view)
+// What all draws into a view have in common.
+void ReflectionProbe::Implementation::beginDraws(int view)
 {
-    const capture::Variant variant = frame.variantOf(mesh, view, peeling, hides);
-    const Path path = variant.path;
-    const LinkedProgram& linked = mesh.program->implementation().program(variant);
-    // Set again for every draw: the callback may have changed any of it.
+    static std::atomic<std::uint64_t> serials = 0;
+    viewSerial = ++serials;
     const auto layer = static_cast<std::size_t>(view < 0 ? 0 : capture::layerOfView(desc.map, view));
     glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? target().allLayers.name() : target().layers[layer].name());
-    if (peeling || variant.hides)
+    if (peeling || hides)
         bindToLastUnits();
     glViewport(0, 0, drawSize.width, drawSize.height);
-    glUseProgram(linked.program.name());
-    capture::setUniforms(linked, frame, desc.map, view, drawSize);
-    if (peeling) {
-        glUniform1i(linked.firstDistance, firstUnit);
-        glUniform1i(linked.layer, static_cast<GLint>(layer));
-        glUniform1f(linked.separation, desc.layerSeparation);
-    }
-    if (variant.hides)
-        glUniform1i(linked.farthest, firstUnit + 1);
     for (GLenum plane = 0; plane < 3; ++plane)
-        (linked.usesClipDistances ? glEnable : glDisable)(GL_CLIP_DISTANCE0 + plane);
-    // Covering polygons have no winding of their own: the geometry shader culls.
-    (mesh.cullBackFaces && path != Path::exact ? glEnable : glDisable)(GL_CULL_FACE);
-    if (path == Path::tessellated)
-        glPatchParameteri(GL_PATCH_VERTICES, 3);
-    glUniform1i(linked.cullBackFaces, mesh.cullBackFaces ? 1 : 0);
+        glDisable(GL_CLIP_DISTANCE0 + plane);
+    glDisable(GL_CULL_FACE);
     // With all at once the geometry shader has turned front faces counter-clockwise.
     glFrontFace(view < 0 || capture::orientation(desc.map, view) > 0 ? GL_CCW : GL_CW);
+    if (primitive() == GL_PATCHES)
+        glPatchParameteri(GL_PATCH_VERTICES, 3);
+    applied = {view, false, false};
+}
+
+unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int view, capture::Variant variant)
+{
+    variant.hides = hides && variant.path == Path::exact;
+    LinkedProgram& linked = mesh.program->implementation().program(variant);
+    if (!applied || applied->view != view)
+        beginDraws(view);
+    // A host may end its draws with none; but programs used again are checked again, which costs more than a draw.
+    if (gl::integer(GL_CURRENT_PROGRAM) != static_cast<int>(linked.program.name()))
+        glUseProgram(linked.program.name());
+    if (linked.preparedFor != viewSerial) {
+        capture::setUniforms(linked, frame, desc.map, view, drawSize, abilities.clipControl);
+        glUniform1i(linked.firstDistance, firstUnit);
+        glUniform1i(linked.layer, view < 0 ? 0 : capture::layerOfView(desc.map, view));
+        glUniform1f(linked.separation, desc.layerSeparation);
+        glUniform1i(linked.farthest, firstUnit + 1);
+        glUniform1i(linked.cullBackFaces, mesh.cullBackFaces ? 1 : 0);
+        linked.preparedFor = viewSerial;
+        linked.cullsBackFaces = mesh.cullBackFaces;
+    } else if (linked.cullsBackFaces != mesh.cullBackFaces) {
+        glUniform1i(linked.cullBackFaces, mesh.cullBackFaces ? 1 : 0);
+        linked.cullsBackFaces = mesh.cullBackFaces;
+    }
+    if (applied->clipDistances != linked.usesClipDistances) {
+        applied->clipDistances = linked.usesClipDistances;
+        for (GLenum plane = 0; plane < 3; ++plane)
+            (linked.usesClipDistances ? glEnable : glDisable)(GL_CLIP_DISTANCE0 + plane);
+    }
+    // Covering polygons have no winding of their own: the geometry shader culls.
+    const bool cullsFaces = mesh.cullBackFaces && variant.path != Path::exact;
+    if (applied->cullsFaces != cullsFaces) {
+        applied->cullsFaces = cullsFaces;
+        (cullsFaces ? glEnable : glDisable)(GL_CULL_FACE);
+    }
     ++report.draws;
-    report.drawsExact += path == Path::exact ? 1 : 0;
-    report.drawsMapped += path == Path::mapped ? 1 : 0;
+    report.drawsExact += variant.path == Path::exact ? 1 : 0;
+    report.drawsMapped += variant.path == Path::mapped ? 1 : 0;
     report.triangles += mesh.triangles;
     return linked.program.name();
 }
@@ -91,110 +110,109 @@ void ReflectionProbe::Implementation::bindToLastUnits() const
 
 void ReflectionProbe::Implementation::gatherFarthest(int view)
 {
-    const gl::StateGuard guard(0, 1);
+    const gl::StateGuard guard(abilities, 0, 1);
     guard.neutralise();
     hides = farthestBlocks.gather(target().distance, capture::layerOfView(desc.map, view));
+    applied.reset();
 }
 
 void ReflectionProbe::Implementation::begin(int view)
 {
     const bool isFirstOfLayer = view < 0 || capture::layerOfView(desc.map, view) == view;
     hides = false;
-    const gl::ClearGuard guard; // the callback may have masked anything
+    applied.reset();
+    const gl::ClearGuard guard(abilities); // the callback may have masked anything
     if (view < 0)
         clear(target().allLayers);
     else if (isFirstOfLayer)
         clear(target().layers[static_cast<std::size_t>(view)]);
 }
 
-ReflectionProbe::Implementation::Draws
-ReflectionProbe::Implementation::drawsInto(int view, std::span<const CaptureMesh> meshes,
-                                           const std::vector<bool>& wanted) const
+ReflectionProbe::Implementation::PlannedView
+ReflectionProbe::Implementation::planOneView(int view, std::span<const CaptureMesh> meshes,
+                                             const std::vector<bool>& wanted) const
 {
-    Draws draws;
+    PlannedView plan{view};
     int exact = 0;
     for (std::size_t index = 0; index < meshes.size(); ++index) {
-        if (!wanted[index] || (meshes[index].bounds && !frame.touches(view, *meshes[index].bounds)))
+        if (!wanted[index] || (meshes[index].bounds && !frame.touches(view, *meshes[index].bounds))) {
+            ++plan.culled;
             continue;
-        draws.meshes.push_back(index);
-        exact += frame.variantOf(meshes[index], view, peeling, true).hides ? 1 : 0;
-    }
-    draws.nearFirst = desc.nearFirst && exact >= fewestExactDraws;
-    if (draws.nearFirst)
-        std::ranges::stable_sort(draws.meshes, {},
-                                 [&](std::size_t index) { return frame.distanceTo(meshes[index]); });
-    return draws;
-}
-
-void ReflectionProbe::Implementation::drawOneAtATime(std::span<const CaptureMesh> meshes,
-                                                     const DrawMesh& draw)
-{
-    const std::vector<bool> wanted = wantedInLayer(meshes);
-    for (int view = 0; view < capture::viewCount(desc.map); ++view) {
-        begin(view);
-        const Draws draws = drawsInto(view, meshes, wanted);
-        report.drawsCulled += static_cast<int>(meshes.size() - draws.meshes.size());
-        std::size_t next = firstBatch;
-        for (std::size_t turn = 0; turn < draws.meshes.size(); ++turn) {
-            if (draws.nearFirst && turn == next) {
-                gatherFarthest(view);
-                next *= 2;
-            }
-            const CaptureMesh& mesh = meshes[draws.meshes[turn]];
-            draw(mesh, {use(mesh, view), view, primitive()});
         }
+        plan.draws.push_back({index, view, frame.variantOf(meshes[index], view, peeling)});
+        exact += plan.draws.back().variant.path == Path::exact ? 1 : 0;
     }
+    plan.nearFirst = desc.nearFirst && exact >= fewestExactDraws;
+    if (plan.nearFirst)
+        std::ranges::stable_sort(plan.draws, {}, [&](const PlannedDraw& planned) {
+            return frame.distanceTo(meshes[planned.mesh]);
+        });
+    return plan;
 }
 
 // Where varyings leave no room for all layers in one draw, each view has its own.
-bool ReflectionProbe::Implementation::fitsAtOnce(const CaptureMesh& mesh) const
+ReflectionProbe::Implementation::PlannedView
+ReflectionProbe::Implementation::planAllAtOnce(std::span<const CaptureMesh> meshes) const
 {
-    return together() && mesh.program->implementation().fits(frame.variantOf(mesh, -1, peeling, false));
-}
-
-void ReflectionProbe::Implementation::drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw)
-{
-    begin(-1);
-    for (const CaptureMesh& mesh : meshes) {
-        std::vector<int> touched;
-        for (int view = 0; view < capture::viewCount(desc.map); ++view)
-            if (!mesh.bounds || frame.touches(view, *mesh.bounds))
-                touched.push_back(view);
-        if (touched.empty())
-            ++report.drawsCulled;
-        else if (fitsAtOnce(mesh))
-            touched = {-1};
-        for (const int view : touched)
-            draw(mesh, {use(mesh, view), view, primitive()});
-    }
-}
-
-void ReflectionProbe::Implementation::compile(std::span<const CaptureMesh> meshes)
-{
-    compileLayer(meshes);
-    if (desc.layersOfDepth == 2) {
-        const capture::RaisedFlag isPeeling(peeling);
-        compileLayer(meshes);
-    }
-}
-
-void ReflectionProbe::Implementation::compileLayer(std::span<const CaptureMesh> meshes)
-{
-    const std::vector<bool> wanted = wantedInLayer(meshes);
-    const auto compileFor = [&](const CaptureMesh& mesh, int view, bool hiding) {
-        mesh.program->implementation().program(frame.variantOf(mesh, view, peeling, hiding));
-    };
-    for (const CaptureMesh& mesh : meshes)
-        if (fitsAtOnce(mesh))
-            compileFor(mesh, -1, false);
-    for (int view = 0; view < capture::viewCount(desc.map); ++view) {
-        const bool nearFirst = !together() && drawsInto(view, meshes, wanted).nearFirst;
-        for (const CaptureMesh& mesh : meshes) {
-            if (fitsAtOnce(mesh))
+    PlannedView plan{-1};
+    for (std::size_t index = 0; index < meshes.size(); ++index) {
+        const CaptureMesh& mesh = meshes[index];
+        const capture::Variant together = frame.variantOf(mesh, -1, peeling);
+        const bool fits = mesh.program->implementation().fits(together);
+        bool isTouched = false;
+        for (int view = 0; view < capture::viewCount(desc.map) && !(isTouched && fits); ++view) {
+            if (mesh.bounds && !frame.touches(view, *mesh.bounds))
                 continue;
-            compileFor(mesh, view, false);
-            if (nearFirst)
-                compileFor(mesh, view, true);
+            isTouched = true;
+            plan.draws.push_back(fits ? PlannedDraw{index, -1, together}
+                                      : PlannedDraw{index, view, frame.variantOf(mesh, view, peeling)});
+        }
+        plan.culled += isTouched ? 0 : 1;
+    }
+    return plan;
+}
+
+ReflectionProbe::Implementation::Plan
+ReflectionProbe::Implementation::planOf(std::span<const CaptureMesh> meshes) const
+{
+    if (together())
+        return {planAllAtOnce(meshes)};
+    const std::vector<bool> wanted =
+        peeling ? capture::mayBeHidden(meshes, frame, static_cast<double>(desc.layerSeparation))
+                : std::vector<bool>(meshes.size(), true);
+    Plan plan;
+    for (int view = 0; view < capture::viewCount(desc.map); ++view)
+        plan.push_back(planOneView(view, meshes, wanted));
+    return plan;
+}
+
+void ReflectionProbe::Implementation::compile(const Plan& plan, std::span<const CaptureMesh> meshes) const
+{
+    for (const PlannedView& planned : plan)
+        for (const PlannedDraw& each : planned.draws) {
+            CaptureProgram::Implementation& program = meshes[each.mesh].program->implementation();
+            capture::Variant variant = each.variant;
+            program.program(variant);
+            variant.hides = planned.nearFirst && variant.path == Path::exact;
+            if (variant.hides)
+                program.program(variant);
+        }
+}
+
+void ReflectionProbe::Implementation::draw(const Plan& plan, std::span<const CaptureMesh> meshes,
+                                           const DrawMesh& drawMesh)
+{
+    for (const PlannedView& planned : plan) {
+        begin(planned.view);
+        report.drawsCulled += planned.culled;
+        std::size_t next = firstBatch;
+        for (std::size_t turn = 0; turn < planned.draws.size(); ++turn) {
+            if (planned.nearFirst && turn == next) {
+                gatherFarthest(planned.view);
+                next *= 2;
+            }
+            const auto& [mesh, view, variant] = planned.draws[turn];
+            drawMesh(meshes[mesh], {use(meshes[mesh], view, variant), view, primitive()});
         }
     }
 }

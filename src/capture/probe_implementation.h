@@ -8,11 +8,15 @@
 #include "capture/filtered_map.h"
 #include "capture/frame.h"
 #include "capture/map_textures.h"
+#include "gl/context.h"
 
 #include <mirrorball/capture/reflection_probe.h>
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace mirrorball {
 
@@ -36,6 +40,7 @@ void requirePossible(const ReflectionProbe::Desc& desc);
 struct ReflectionProbe::Implementation
 {
     Desc desc;
+    gl::Abilities abilities{}; // of the context that it lives in
     capture::Frame frame;
     capture::MapSize size{};     // of a layer
     capture::MapSize drawSize{}; // the same in samples
@@ -54,11 +59,31 @@ struct ReflectionProbe::Implementation
     bool capturing = false;
     CaptureReport report;
 
-    struct Draws
+    // One draw of the host's, and how it reaches the map.
+    struct PlannedDraw
     {
-        std::vector<std::size_t> meshes;
-        bool nearFirst = false; // sorted so, and what is hidden then is left out
+        std::size_t mesh;
+        int view; // < 0: all at once
+        capture::Variant variant;
     };
+    // What is drawn between one clear and the next.
+    struct PlannedView
+    {
+        int view; // < 0: all of them
+        std::vector<PlannedDraw> draws{};
+        int culled = 0;
+        bool nearFirst = false; // draws are sorted so, and what is hidden then is left out
+    };
+    using Plan = std::vector<PlannedView>; // of one layer of depth
+
+    // What use() has set in a view. Nothing (empty) is taken as set after a clear, or when the host may have changed it.
+    struct Applied
+    {
+        int view;
+        bool clipDistances, cullsFaces;
+    };
+    std::optional<Applied> applied;
+    std::uint64_t viewSerial = 0; // of the view that `applied` is in: differs in all views of all probes
 
     explicit Implementation(const Desc& given);
     void place();
@@ -78,24 +103,23 @@ struct ReflectionProbe::Implementation
     const capture::MapTextures& target() const;
     void makeTextures();
     void requireReady() const;
-    CaptureReport fill(const std::function<void()>& drawLayerOfDepth);
+    CaptureReport fill(const std::function<void()>& drawLayerOfDepth); // called for each
     void finish();
     void filter();
     // A view's layer is cleared just before the first draw into it, while it is in a software rasteriser's cache;
     // all are before a draw into all at once (view < 0).
     void begin(int view);
-    void drawOneAtATime(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
-    void drawAllAtOnce(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
-    // Which meshes are drawn into the layer of depth under way; drawn into a view, in order.
-    std::vector<bool> wantedInLayer(std::span<const CaptureMesh> meshes) const;
-    Draws drawsInto(int view, std::span<const CaptureMesh> meshes, const std::vector<bool>& wanted) const;
+    Plan planOf(std::span<const CaptureMesh> meshes) const;
+    PlannedView planOneView(int view, std::span<const CaptureMesh> meshes,
+                            const std::vector<bool>& wanted) const;
+    PlannedView planAllAtOnce(std::span<const CaptureMesh> meshes) const;
+    void draw(const Plan& plan, std::span<const CaptureMesh> meshes, const DrawMesh& drawMesh);
     // The first layer of depth only.
     bool together() const { return allAtOnce && !peeling; }
-    bool fitsAtOnce(const CaptureMesh& mesh) const;
     // Everything that may fail in a capture, before the state is touched.
-    void compile(std::span<const CaptureMesh> meshes);
-    void compileLayer(std::span<const CaptureMesh> meshes);
-    unsigned int use(const CaptureMesh& mesh, int view);
+    void compile(const Plan& plan, std::span<const CaptureMesh> meshes) const;
+    unsigned int use(const CaptureMesh& mesh, int view, capture::Variant variant);
+    void beginDraws(int view);
     unsigned int primitive() const;
     void bindToLastUnits() const;
     // Between draws of the host's, whose state stays.

@@ -46,12 +46,13 @@ ReflectionProbe::Implementation::Implementation(const Desc& given)
     : desc(given), frame(desc), farthestBlocks(capture::MapSize{})
 {
     capture::requirePossible(desc);
+    abilities = gl::Abilities::ofCurrentContext();
     size = capture::mapSize(desc.map, desc.n);
     drawSize = capture::mapSize(desc.map, desc.n * desc.supersample);
     farthestBlocks = capture::FarthestBlocks(drawSize);
     // The host's materials use the first ones.
     firstUnit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 2;
-    const gl::StateGuard guard(0, 1);
+    const gl::StateGuard guard(abilities, 0, 1);
     guard.neutralise();
     glActiveTexture(GL_TEXTURE0);
     makeTextures();
@@ -201,11 +202,11 @@ void ReflectionProbe::Implementation::requireReady() const
 CaptureReport ReflectionProbe::Implementation::fill(const std::function<void()>& drawLayerOfDepth)
 {
     const RaisedFlag isCapturing(capturing);
-    const gl::StateGuard guard(firstUnit, 2);
+    const gl::StateGuard guard(abilities, firstUnit, 2);
     guard.neutralise();
     if (desc.depthTerm == DepthTerm::radial) {
         glDepthFunc(GL_GREATER);
-        if (capture::hasClipControl())
+        if (abilities.clipControl)
             glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     }
     report = {};
@@ -222,7 +223,7 @@ CaptureReport ReflectionProbe::Implementation::fill(const std::function<void()>&
 
 void ReflectionProbe::Implementation::finish()
 {
-    const gl::StateGuard guard(0, 2);
+    const gl::StateGuard guard(abilities, 0, 2);
     guard.neutralise(); // the callback may have changed anything
     if (isSupersampled())
         copies.reduce(samples, back, size, desc.supersample);
@@ -249,13 +250,18 @@ CaptureReport ReflectionProbe::capture(std::span<const CaptureMesh> meshes, cons
     for (const CaptureMesh& mesh : meshes)
         requireUsable(mesh, asked);
     self.place();
-    self.compile(meshes);
-    return self.fill([&] {
-        if (self.together())
-            self.drawAllAtOnce(meshes, draw);
-        else
-            self.drawOneAtATime(meshes, draw);
-    });
+    const auto planned = [&] {
+        Implementation::Plan plan = self.planOf(meshes);
+        self.compile(plan, meshes);
+        return plan;
+    };
+    const Implementation::Plan first = planned();
+    Implementation::Plan second;
+    if (self.desc.layersOfDepth == 2) {
+        const RaisedFlag isPeeling(self.peeling);
+        second = planned();
+    }
+    return self.fill([&] { self.draw(self.peeling ? second : first, meshes, draw); });
 }
 
 CaptureReport ReflectionProbe::capture(const DrawScene& drawScene)
@@ -284,7 +290,7 @@ void ReflectionProbe::takeOver(std::span<const unsigned int, 6> sides, SideTarge
         throw Error(ErrorKind::badArgument, "six sides for probe '" + self.desc.name + "'",
                     "its map is " + std::string(mapInfo(self.desc.map).name), "use a cube map");
     self.place();
-    const gl::StateGuard guard(0, 2);
+    const gl::StateGuard guard(self.abilities, 0, 2);
     guard.neutralise();
     for (int side = 0; side < 6; ++side)
         self.copies.copySide(sides[static_cast<std::size_t>(side)], target, self.back, side, self.size);
@@ -316,7 +322,8 @@ unsigned int CaptureView::use(CaptureProgram& program)
 unsigned int CaptureView::use(const CaptureMesh& mesh)
 {
     requireUsable(mesh, "a view of probe '" + probe_->desc.name + "'");
-    return probe_->use(mesh, view_);
+    probe_->applied.reset(); // the host may have used another framebuffer
+    return probe_->use(mesh, view_, probe_->frame.variantOf(mesh, view_, probe_->peeling));
 }
 
 } // namespace mirrorball

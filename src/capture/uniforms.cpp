@@ -44,12 +44,8 @@ void setLinearViews(const LinkedProgram& linked, MapKind map, int view)
 
 } // namespace
 
-bool hasClipControl()
-{
-    return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
-}
-
-void setUniforms(const LinkedProgram& linked, const Frame& frame, MapKind map, int view, const MapSize& size)
+void setUniforms(const LinkedProgram& linked, const Frame& frame, MapKind map, int view, const MapSize& size,
+                 bool clipControl)
 {
     const glm::mat4 matrix(frame.probeFromWorld());
     glUniformMatrix4fv(linked.probeFromWorld, 1, GL_FALSE, glm::value_ptr(matrix));
@@ -59,7 +55,7 @@ void setUniforms(const LinkedProgram& linked, const Frame& frame, MapKind map, i
     glUniform2f(linked.range, frame.near(), frame.far());
     glUniform2f(linked.size, static_cast<float>(size.width), static_cast<float>(size.height));
     const LinearRange reach = isPiecewiseLinear(map) ? linearRange(map) : LinearRange{1.0, 1.0};
-    const bool zeroToOne = linked.writesDepth || hasClipControl();
+    const bool zeroToOne = linked.writesDepth || clipControl;
     const glm::dvec2 depth = reversedDepth(static_cast<double>(frame.near()) * reach.smallest,
                                            static_cast<double>(frame.far()) * reach.largest, zeroToOne);
     glUniform2f(linked.depth, static_cast<float>(depth.x), static_cast<float>(depth.y));

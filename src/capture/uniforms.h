@@ -6,9 +6,8 @@
 
 namespace mirrorball::capture {
 
-bool hasClipControl();
-
 // Of the program in use, for a view or all at once (view < 0). `size` is what is drawn into, in samples.
-void setUniforms(const LinkedProgram& linked, const Frame& frame, MapKind map, int view, const MapSize& size);
+void setUniforms(const LinkedProgram& linked, const Frame& frame, MapKind map, int view, const MapSize& size,
+                 bool clipControl);
 
 } // namespace mirrorball::capture

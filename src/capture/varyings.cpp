@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <functional>
 #include <map>
@@ -116,18 +117,19 @@ std::string atCorner(const Varying& varying, const std::string& corner)
                                        "]." + varying.vertexName;
 }
 
-// target = value for each element of an array, whose place in either is marked by a #.
+// target = value, for each element of an array, whose place in either is marked by a #. With constant indices and never a
+// whole array at once, which NVIDIA's geometry shaders got wrong.
 std::string assignment(const Varying& varying, const std::string& target, const std::string& value)
 {
     const bool isArray = !varying.arraySuffix.empty();
-    const auto at = [&](std::string text) {
-        for (std::size_t mark = text.find('#'); mark != std::string::npos; mark = text.find('#'))
-            text.replace(mark, 1, isArray ? "[" + prefix + "element]" : "");
-        return text;
-    };
-    const std::string loop = "for (int " + prefix + "element = 0; " + prefix + "element < " +
-                             std::to_string(varying.elements) + "; ++" + prefix + "element)\n    ";
-    return (isArray ? loop : "") + at(target) + " = " + at(value) + ";\n";
+    std::string lines;
+    for (int element = 0; element < (isArray ? varying.elements : 1); ++element) {
+        std::string line = target + " = " + value + ";\n";
+        for (std::size_t mark = line.find('#'); mark != std::string::npos; mark = line.find('#'))
+            line.replace(mark, 1, isArray ? "[" + std::to_string(element) + "]" : "");
+        lines += line;
+    }
+    return lines;
 }
 
 // The mean of three corners by a vector of weights; of a flat varying, the provoking vertex's value.
@@ -151,6 +153,12 @@ int elementsOf(const std::string& suffix, const HostShader& shader)
     if (std::all_of(inner.begin(), inner.end(), [](unsigned char c) { return std::isdigit(c) != 0; }))
         return inner.empty() ? 0 : std::atoi(inner.c_str());
     return shader.constant(inner).value_or(0);
+}
+
+std::string described(const Varying& varying, const std::string& programName)
+{
+    return "varying '" + varying.type + " " + varying.name + varying.arraySuffix + "' of '" + programName +
+           "'";
 }
 
 std::string troubleOf(const Varying& varying)
@@ -251,10 +259,15 @@ Outputs outputsOf(const HostShader& fragment)
 
 int ownScalars(Carriage carriage)
 {
-    constexpr int position = 4;
-    // Exact: three edges, a plane, two numbers. Otherwise: the position in the probe's frame and three clip
-    // distances.
-    return position + (carriage == Carriage::exact ? 9 + 4 + 2 : 3 + 3);
+    constexpr int position = 4, layer = 1, primitive = 1;
+    switch (carriage) {
+    case Carriage::exact:
+        return position + layer + 9 + 4 + 2; // three edges, a plane, two numbers
+    case Carriage::copied:
+        return ownScalars(Carriage::direct) + layer + primitive;
+    default:
+        return position + 3 + 3; // the position in the probe's frame, three clip distances
+    }
 }
 
 int scalarsOf(const std::vector<Varying>& varyings, Carriage carriage)
@@ -275,11 +288,10 @@ void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int ve
                  const std::string& programName)
 {
     const Limits limits = limitsOf(carriage, vertices);
-    int before = ownScalars(Carriage::copied), after = ownScalars(carriage);
+    int before = ownScalars(Carriage::direct), after = ownScalars(carriage);
     for (std::size_t index = 0; index < varyings.size(); ++index) {
         const Varying& varying = varyings[index];
-        const std::string asked = "varying '" + varying.type + " " + varying.name + varying.arraySuffix +
-                                  "' of '" + programName + "'";
+        const std::string asked = described(varying, programName);
         std::string trouble = carriage == Carriage::direct ? "" : varying.trouble;
         // The stage after the vertex shader's reads arrays of arrays; within a block it does not.
         if (carriage != Carriage::direct && !varying.arraySuffix.empty() && varying.block.empty() &&
@@ -302,6 +314,24 @@ void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int ve
     }
 }
 
+void requireNoneWithoutResource(const std::vector<Varying>& varyings, Carriage carriage,
+                                const std::string& log, const std::string& programName)
+{
+    if (log.find("resource") == std::string::npos)
+        return;
+    for (const Varying& varying : varyings) {
+        // "name", "name[0]" or, of an exact capture's three, "name_0" to "name_2".
+        const std::string quoted =
+            "\"" + (carriage == Carriage::direct ? varying.name : carriedName(varying));
+        const bool isNamed = std::ranges::any_of(std::array{"\"", "[", "_"}, [&](const char* end) {
+            return log.find(quoted + end) != std::string::npos;
+        });
+        if (isNamed)
+            throw Error(ErrorKind::badShader, described(varying, programName),
+                        "this driver has no room for it beside those before", "hand over fewer varyings");
+    }
+}
+
 std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carriage)
 {
     const bool isExact = carriage == Carriage::exact;
@@ -312,12 +342,13 @@ std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carr
         if (!isExact) {
             declaration += qualifiers(varying) + "out " + varying.type + " " + carriedName(varying) +
                            varying.arraySuffix + ";\n";
-            copy = carriedName(varying) + " = " + atCorner(varying, prefix + "corner") + ";\n";
+            copy =
+                assignment(varying, carriedName(varying) + "#", atCorner(varying, prefix + "corner") + "#");
         }
         for (int corner = isFlat(varying) ? 2 : 0; isExact && corner < 3; ++corner) {
             const std::string name = carriedName(varying, corner);
             declaration += "flat out " + varying.type + " " + name + varying.arraySuffix + ";\n";
-            copy += name + " = " + atCorner(varying, std::to_string(corner)) + ";\n";
+            copy += assignment(varying, name + "#", atCorner(varying, std::to_string(corner)) + "#");
         }
         declarations += onlyWhereDeclared(varying, declaration);
         copies += onlyWhereDeclared(varying, copy);

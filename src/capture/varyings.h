@@ -52,7 +52,7 @@ enum class Carriage {
     exact   // all three vertices' at once, flat; interpolated in the fragment stage
 };
 
-// What the library's own varyings take beside the host's, in scalars, gl_Position included.
+// What the library's own varyings take beside the host's, in scalars, gl_Position, gl_Layer and gl_PrimitiveID included.
 int ownScalars(Carriage carriage);
 
 // Scalars that the geometry stage writes a vertex (that the vertex stage writes, for direct carriage).
@@ -62,6 +62,11 @@ int scalarsOf(const std::vector<Varying>& varyings, Carriage carriage);
 // that cannot be carried. vertices: how many the geometry stage writes at least for one triangle.
 void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices,
                  const std::string& programName);
+
+// Drivers may waste room: NVIDIA's lays a vec3 where a vec4 would go. Throws Error badShader with the host's name for the
+// first varying that a linker's log says has no resource.
+void requireNoneWithoutResource(const std::vector<Varying>& varyings, Carriage carriage,
+                                const std::string& log, const std::string& programName);
 
 // Whether the driver has room.
 bool hasRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices);

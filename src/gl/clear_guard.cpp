@@ -4,21 +4,17 @@
 
 namespace mirrorball::gl {
 
-namespace {
-
 // Of the first viewport, which is the one that clears obey; others keep theirs.
-void setScissorTest(bool enabled)
+void ClearGuard::setScissorTest(bool enabled) const
 {
-    if (epoxy_gl_version() >= 41 || epoxy_has_gl_extension("GL_ARB_viewport_array"))
+    if (abilities_.viewportArrays)
         (enabled ? glEnablei : glDisablei)(GL_SCISSOR_TEST, 0);
     else
         (enabled ? glEnable : glDisable)(GL_SCISSOR_TEST);
 }
 
-} // namespace
-
-ClearGuard::ClearGuard()
-    : scissorTest_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE), // tells of the first
+ClearGuard::ClearGuard(const Abilities& abilities)
+    : abilities_(abilities), scissorTest_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE), // tells of the first
       rasterizerDiscard_(glIsEnabled(GL_RASTERIZER_DISCARD) == GL_TRUE)
 {
     for (GLuint buffer = 0; buffer < colourMasks_.size(); ++buffer) {

@@ -11,59 +11,6 @@ namespace mirrorball::gl {
 
 namespace {
 
-bool hasVersionOr(int version, const char* extension)
-{
-    return epoxy_gl_version() >= version || epoxy_has_gl_extension(extension);
-}
-
-bool hasViewportArrays()
-{
-    return hasVersionOr(41, "GL_ARB_viewport_array");
-}
-
-bool hasClipControl()
-{
-    return hasVersionOr(45, "GL_ARB_clip_control");
-}
-
-bool hasPipelines()
-{
-    return hasVersionOr(41, "GL_ARB_separate_shader_objects");
-}
-
-bool hasIndexedBlend()
-{
-    return hasVersionOr(40, "GL_ARB_draw_buffers_blend");
-}
-
-bool isCompatibility()
-{
-    return (integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0;
-}
-
-// Capabilities that our passes turn off (or leave alone when the context lacks them).
-std::vector<GLenum> switchedOff()
-{
-    std::vector<GLenum> all = {GL_STENCIL_TEST,        GL_COLOR_LOGIC_OP,     GL_DITHER,
-                               GL_FRAMEBUFFER_SRGB,    GL_CULL_FACE,          GL_POLYGON_OFFSET_FILL,
-                               GL_POLYGON_SMOOTH,      GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
-                               GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE,    GL_SAMPLE_MASK,
-                               GL_DEPTH_CLAMP,         GL_PRIMITIVE_RESTART};
-    if (hasVersionOr(40, "GL_ARB_sample_shading"))
-        all.push_back(GL_SAMPLE_SHADING);
-    if (hasVersionOr(43, "GL_ARB_ES3_compatibility"))
-        all.push_back(GL_PRIMITIVE_RESTART_FIXED_INDEX);
-    if (epoxy_has_gl_extension("GL_EXT_depth_bounds_test"))
-        all.push_back(GL_DEPTH_BOUNDS_TEST_EXT);
-    if (isCompatibility()) {
-        all.push_back(GL_ALPHA_TEST);
-        all.push_back(GL_POLYGON_STIPPLE);
-    }
-    for (int plane = 0; plane < integer(GL_MAX_CLIP_DISTANCES); ++plane)
-        all.push_back(GL_CLIP_DISTANCE0 + static_cast<GLenum>(plane));
-    return all;
-}
-
 struct TextureTarget
 {
     GLenum target, binding;
@@ -109,13 +56,13 @@ GLuint alive(int name, IsName isName)
 
 } // namespace
 
-StateGuard::StateGuard(int firstUnit, int units)
+StateGuard::StateGuard(const Abilities& abilities, int firstUnit, int units) : abilities_(abilities)
 {
     drawFramebuffer_ = integer(GL_DRAW_FRAMEBUFFER_BINDING);
     readFramebuffer_ = integer(GL_READ_FRAMEBUFFER_BINDING);
     renderbuffer_ = integer(GL_RENDERBUFFER_BINDING);
     program_ = integer(GL_CURRENT_PROGRAM);
-    pipeline_ = hasPipelines() ? integer(GL_PROGRAM_PIPELINE_BINDING) : 0;
+    pipeline_ = abilities_.pipelines ? integer(GL_PROGRAM_PIPELINE_BINDING) : 0;
     vertexArray_ = integer(GL_VERTEX_ARRAY_BINDING);
     arrayBuffer_ = integer(GL_ARRAY_BUFFER_BINDING);
     uniformBuffer_ = integer(GL_UNIFORM_BUFFER_BINDING);
@@ -139,38 +86,34 @@ StateGuard::~StateGuard()
 
 void StateGuard::readToggles()
 {
-    for (const GLenum capability : switchedOff())
+    for (const GLenum capability : abilities_.switches)
         toggles_.push_back({capability, glIsEnabled(capability) == GL_TRUE});
     // Also those with an index are asked without: a threaded driver remembers the two kinds of calls apart.
     for (const GLenum capability : {GLenum{GL_BLEND}, GLenum{GL_SCISSOR_TEST}})
         toggles_.push_back({capability, glIsEnabled(capability) == GL_TRUE});
     toggles_.push_back({GL_DEPTH_TEST, glIsEnabled(GL_DEPTH_TEST) == GL_TRUE});
-    const auto drawBuffers = static_cast<GLuint>(integer(GL_MAX_DRAW_BUFFERS));
-    for (GLuint buffer = 0; buffer < drawBuffers; ++buffer)
+    for (GLuint buffer = 0; buffer < static_cast<GLuint>(abilities_.drawBuffers); ++buffer)
         indexedToggles_.push_back({GL_BLEND, buffer, glIsEnabledi(GL_BLEND, buffer) == GL_TRUE});
-    const auto viewports = static_cast<GLuint>(hasViewportArrays() ? integer(GL_MAX_VIEWPORTS) : 1);
-    for (GLuint viewport = 0; viewport < viewports; ++viewport) {
-        const bool enabled = hasViewportArrays() ? glIsEnabledi(GL_SCISSOR_TEST, viewport) == GL_TRUE
-                                                 : glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
+    for (GLuint viewport = 0; viewport < static_cast<GLuint>(abilities_.viewports); ++viewport) {
+        const bool enabled = abilities_.viewportArrays ? glIsEnabledi(GL_SCISSOR_TEST, viewport) == GL_TRUE
+                                                       : glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
         indexedToggles_.push_back({GL_SCISSOR_TEST, viewport, enabled});
     }
 }
 
 void StateGuard::readFramebufferState()
 {
-    const auto drawBuffers = static_cast<GLuint>(integer(GL_MAX_DRAW_BUFFERS));
-    colourMasks_.resize(drawBuffers);
-    for (GLuint buffer = 0; buffer < drawBuffers; ++buffer)
+    colourMasks_.resize(static_cast<std::size_t>(abilities_.drawBuffers));
+    for (GLuint buffer = 0; buffer < colourMasks_.size(); ++buffer)
         glGetBooleani_v(GL_COLOR_WRITEMASK, buffer, colourMasks_[buffer].data());
     glGetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
     depthFunction_ = integer(GL_DEPTH_FUNC);
 
-    const std::size_t viewports =
-        hasViewportArrays() ? static_cast<std::size_t>(integer(GL_MAX_VIEWPORTS)) : 1;
+    const auto viewports = static_cast<std::size_t>(abilities_.viewports);
     viewports_.resize(viewports);
     scissors_.resize(viewports);
     depthRanges_.resize(viewports);
-    if (!hasViewportArrays()) {
+    if (!abilities_.viewportArrays) {
         glGetFloatv(GL_VIEWPORT, viewports_[0].data());
         glGetIntegerv(GL_SCISSOR_BOX, scissors_[0].data());
         glGetDoublev(GL_DEPTH_RANGE, depthRanges_[0].data());
@@ -185,12 +128,14 @@ void StateGuard::readFramebufferState()
 
 void StateGuard::readRasterState()
 {
-    blends_.resize(hasIndexedBlend() ? static_cast<std::size_t>(integer(GL_MAX_DRAW_BUFFERS)) : 1);
+    blends_.resize(abilities_.indexedBlend ? static_cast<std::size_t>(abilities_.drawBuffers) : 1);
     for (GLuint buffer = 0; buffer < blends_.size(); ++buffer) {
         const auto read = [&](GLenum name) {
-            GLint value = integer(name);
-            if (hasIndexedBlend())
+            GLint value = 0;
+            if (abilities_.indexedBlend)
                 glGetIntegeri_v(name, buffer, &value);
+            else
+                value = integer(name);
             return value;
         };
         blends_[buffer] = {{read(GL_BLEND_SRC_RGB), read(GL_BLEND_DST_RGB), read(GL_BLEND_SRC_ALPHA),
@@ -200,15 +145,15 @@ void StateGuard::readRasterState()
     cullFace_ = integer(GL_CULL_FACE_MODE);
     frontFace_ = integer(GL_FRONT_FACE);
     provokingVertex_ = integer(GL_PROVOKING_VERTEX);
-    patchVertices_ = epoxy_gl_version() >= 40 ? integer(GL_PATCH_VERTICES) : 0;
+    patchVertices_ = abilities_.patches ? integer(GL_PATCH_VERTICES) : 0;
     glGetIntegerv(GL_POLYGON_MODE, polygonModes_.data()); // core contexts answer one value, others two
-    if (isCompatibility())
+    if (abilities_.compatibility)
         clampFragmentColour_ = integer(GL_CLAMP_FRAGMENT_COLOR);
-    if (hasClipControl()) {
+    if (abilities_.clipControl) {
         clipOrigin_ = integer(GL_CLIP_ORIGIN);
         clipDepth_ = integer(GL_CLIP_DEPTH_MODE);
     }
-    sampleMasks_.resize(static_cast<std::size_t>(integer(GL_MAX_SAMPLE_MASK_WORDS)));
+    sampleMasks_.resize(static_cast<std::size_t>(abilities_.sampleMaskWords));
     for (GLuint word = 0; word < sampleMasks_.size(); ++word) {
         GLint64 mask = 0; // a 32-bit query may clamp the highest bit away
         glGetInteger64i_v(GL_SAMPLE_MASK_VALUE, word, &mask);
@@ -242,7 +187,7 @@ void StateGuard::readUnits(int firstUnit, int units)
 
 void StateGuard::neutralise() const
 {
-    for (const GLenum capability : switchedOff())
+    for (const GLenum capability : abilities_.switches)
         glDisable(capability);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -255,9 +200,9 @@ void StateGuard::neutralise() const
     glCullFace(GL_BACK);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
-    if (isCompatibility())
+    if (abilities_.compatibility)
         glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
-    if (hasClipControl())
+    if (abilities_.clipControl)
         glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     for (GLuint word = 0; word < sampleMasks_.size(); ++word)
         glSampleMaski(word, ~0u);
@@ -274,7 +219,7 @@ void StateGuard::restoreToggles() const
     for (const Toggle& toggle : toggles_)
         setEnabled(toggle.capability, toggle.enabled);
     for (const IndexedToggle& toggle : indexedToggles_) {
-        if (toggle.capability == GL_SCISSOR_TEST && !hasViewportArrays())
+        if (toggle.capability == GL_SCISSOR_TEST && !abilities_.viewportArrays)
             continue;
         setEnabled(toggle.capability, toggle.index, toggle.enabled);
     }
@@ -288,7 +233,7 @@ void StateGuard::restoreRasterState() const
     }
     glDepthMask(depthMask_);
     glDepthFunc(static_cast<GLenum>(depthFunction_));
-    if (hasViewportArrays()) {
+    if (abilities_.viewportArrays) {
         const auto count = static_cast<GLsizei>(viewports_.size());
         glViewportArrayv(0, count, viewports_[0].data());
         glScissorArrayv(0, count, scissors_[0].data());
@@ -303,7 +248,7 @@ void StateGuard::restoreRasterState() const
     for (GLuint buffer = 0; buffer < blends_.size(); ++buffer) {
         const auto value = [](int name) { return static_cast<GLenum>(name); };
         const auto& [function, equation] = blends_[buffer];
-        if (hasIndexedBlend()) {
+        if (abilities_.indexedBlend) {
             glBlendFuncSeparatei(buffer, value(function[0]), value(function[1]), value(function[2]),
                                  value(function[3]));
             glBlendEquationSeparatei(buffer, value(equation[0]), value(equation[1]));
@@ -321,9 +266,9 @@ void StateGuard::restoreRasterState() const
     glProvokingVertex(static_cast<GLenum>(provokingVertex_));
     if (patchVertices_ > 0)
         glPatchParameteri(GL_PATCH_VERTICES, patchVertices_);
-    if (isCompatibility())
+    if (abilities_.compatibility)
         glClampColor(GL_CLAMP_FRAGMENT_COLOR, static_cast<GLenum>(clampFragmentColour_));
-    if (hasClipControl())
+    if (abilities_.clipControl)
         glClipControl(static_cast<GLenum>(clipOrigin_), static_cast<GLenum>(clipDepth_));
     for (GLuint word = 0; word < sampleMasks_.size(); ++word)
         glSampleMaski(word, sampleMasks_[word]);
@@ -367,7 +312,7 @@ void StateGuard::restoreBindings() const
     GLint pendingDeletion = GL_FALSE;
     if (alive(program_, glIsProgram) != 0)
         glGetProgramiv(static_cast<GLuint>(program_), GL_DELETE_STATUS, &pendingDeletion);
-    if (hasPipelines()) {
+    if (abilities_.pipelines) {
         glUseProgram(0); // while a program is in use, Mesa ignores a change of the pipeline
         glBindProgramPipeline(alive(pipeline_, glIsProgramPipeline));
     }

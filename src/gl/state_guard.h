@@ -4,6 +4,8 @@
 // cannot be read back whole from a framebuffer without a stencil. docs/gl_state.md lists the items.
 #pragma once
 
+#include "gl/context.h"
+
 #include <array>
 #include <vector>
 
@@ -12,8 +14,9 @@ namespace mirrorball::gl {
 class StateGuard
 {
 public:
-    // Saves also the texture and sampler bindings of units [firstUnit, firstUnit + units).
-    explicit StateGuard(int firstUnit = 0, int units = 0);
+    // Saves also the texture and sampler bindings of units [firstUnit, firstUnit + units). `abilities`: of the current
+    // context; they outlive the guard.
+    StateGuard(const Abilities& abilities, int firstUnit, int units);
     ~StateGuard();
     StateGuard(const StateGuard&) = delete;
     StateGuard& operator=(const StateGuard&) = delete;
@@ -56,6 +59,7 @@ private:
     void restoreUnits() const;
     void restoreBindings() const;
 
+    const Abilities& abilities_;
     std::vector<Toggle> toggles_;
     std::vector<IndexedToggle> indexedToggles_;
     int drawFramebuffer_ = 0, readFramebuffer_ = 0, renderbuffer_ = 0;

@@ -26,7 +26,8 @@ ImageMap::ImageMap(MapKind map, int n, std::span<const float> layers)
                         " from images",
                     std::to_string(layers.size()) + " floats were given instead of " + std::to_string(needed),
                     "give every layer, four floats a texel");
-    const gl::StateGuard guard(0, 1);
+    const gl::Abilities abilities = gl::Abilities::ofCurrentContext();
+    const gl::StateGuard guard(abilities, 0, 1);
     guard.neutralise();
     glActiveTexture(GL_TEXTURE0);
     colour_ = gl::Texture::create();

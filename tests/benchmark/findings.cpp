@@ -26,7 +26,7 @@ const Row* cheapest(const Rows& rows, const std::function<bool(const Row&)>& cou
 {
     const Row* best = nullptr;
     for (const Row* row : rows)
-        if (counts(*row) && (best == nullptr || row->timing.cpu.median < best->timing.cpu.median))
+        if (counts(*row) && (best == nullptr || row->cost() < best->cost()))
             best = row;
     return best;
 }
@@ -63,14 +63,14 @@ const Row* find(const Rows& group, std::string_view method, MapKind map = MapKin
 
 std::optional<double> ratioToBest(const Row* row)
 {
-    return row != nullptr ? std::optional(row->cpuRatioToBest) : std::nullopt;
+    return row != nullptr ? std::optional(row->costRatioToBest) : std::nullopt;
 }
 
 std::optional<double> quotient(const Row* row, const Row* to)
 {
     if (row == nullptr || to == nullptr)
         return std::nullopt;
-    return row->timing.cpu.median / to->timing.cpu.median;
+    return row->cost() / to->cost();
 }
 
 std::optional<double> fewerWrong(const Row* exact, const Row* tessellated)
@@ -137,9 +137,9 @@ std::vector<RivalCheck> rivalChecksOf(const std::vector<Row>& rows)
             return *cheapest(group, [=](const Row& row) { return row.entry.rival == rival; });
         };
         const Row &plain = find(Rival::plain), &culled = find(Rival::culled);
-        const double longer = 1e6 * (plain.timing.cpu.median - culled.timing.cpu.median);
+        const double longer = 1e6 * (plain.cost() - culled.cost());
         checks.push_back(
-            {std::string(of.scene->name), of.vertices, 1.0 / plain.cpuRatio, *of.scene->culledOverPlain,
+            {std::string(of.scene->name), of.vertices, 1.0 / plain.costRatio(), *of.scene->culledOverPlain,
              longer / static_cast<double>(plain.work.sent.triangles - culled.work.sent.triangles)});
     }
     return checks;

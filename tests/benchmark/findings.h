@@ -17,8 +17,7 @@ struct RivalCheck
     std::string scene;
     Vertices vertices;
     double measured, expected;
-    double
-        nanosecondsAnUnseenTriangle; // CPU time that plain passes take longer, a triangle that only they send
+    double nanosecondsAnUnseenTriangle; // that plain passes take longer, a triangle that only they send
 
     double deviation() const { return measured / expected - 1.0; }
     bool isKept() const { return deviation() > -0.15 && deviation() < 0.15; }
@@ -69,7 +68,7 @@ struct Finding
     // Quartiles of a shared machine lie some 5 % apart.
     std::string verdict() const
     {
-        return best->cpuRatioToBest < 0.95 ? "won" : best->cpuRatioToBest > 1.05 ? "**lost**" : "even";
+        return best->costRatioToBest < 0.95 ? "won" : best->costRatioToBest > 1.05 ? "**lost**" : "even";
     }
 };
 std::vector<Finding> findingsOf(const std::vector<Row>& rows);

@@ -45,15 +45,16 @@ void writeFront(std::ostream& out, const SceneRows& scene)
 
 void writeTable(std::ostream& out, const SceneRows& scene)
 {
-    out << "\n### A ball in " << scene.front()->scene->name
-        << "\n\n| | map | look-up | n | pass 1, CPU ms | ball, CPU ms | both (quartiles) | ratio | frames a "
+    out << "\n### A ball in " << scene.front()->scene->name << "\n\n| | map | look-up | n | pass 1, "
+        << costName() << " ms | ball, " << costName()
+        << " ms | both (quartiles) | ratio | frames a "
            "second | mean angle ° | p95 ° | wrong % | PSNR dB | FLIP |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const LookUpRow* row : scene)
         out << "| " << byWhom(*row) << " | " << mirrorball::mapInfo(row->entry.map).name << " | "
             << nameOf(row->entry.lookup) << " | " << row->entry.n << " | "
-            << format("%.1f", row->captureCpu.median) << " | " << format("%.1f", row->mirrorCpu.median)
-            << " | " << timesOf(row->bothCpu) << " | **" << format("%.2f", row->ratio) << "** | "
+            << milliseconds(row->capture.median) << " | " << milliseconds(row->mirror.median) << " | "
+            << timesOf(row->both) << " | **" << format("%.2f", row->ratio) << "** | "
             << format("%.1f", row->framesPerSecond()) << " | " << errorCells(row->errors);
 }
 
@@ -78,15 +79,18 @@ void writeLookUps(std::ostream& out, const std::vector<LookUpRow>& rows)
 {
     const std::vector<SceneRows> scenes = scenesOf(rows);
     out << "## Look-ups: both passes against the picture\n\nA ball of radius 0.5 at 1280 × 720. Costs are "
-           "CPU times of "
-           "pass 1 and of the ball's pixels together, ratios to the culled six-pass cube by hand with n = "
+        << costName()
+        << " times of pass 1 and of the ball's pixels together, ratios to the culled six-pass cube by hand "
+           "with n = "
            "256, "
            "looked up as infinitely far; the whole frame, with the scene around the ball, is in the column "
            "of "
            "frames a second. Errors are those of docs/reflection.md, against the traced picture.\n\n"
            "### The Pareto front\n\nNothing that was measured is both cheaper and nearer to the right "
            "surface.\n\n"
-           "| scene | | map | look-up | n | CPU time | mean angle ° | p95 ° | wrong % | PSNR dB | FLIP |\n"
+           "| scene | | map | look-up | n | "
+        << costName()
+        << " time | mean angle ° | p95 ° | wrong % | PSNR dB | FLIP |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const SceneRows& scene : scenes)
         writeFront(out, scene);

@@ -1,7 +1,5 @@
 #include "look_up_run.h"
 
-#include "stats.h"
-
 #include <epoxy/gl.h>
 
 namespace tests::benchmark {
@@ -16,25 +14,21 @@ constexpr int judgeFrames = 60;
 
 struct Samples
 {
-    std::vector<double> captureCpu, mirrorCpu, bothCpu, frameWall;
+    std::vector<double> capture, mirror, both, frameWall;
 };
 
 void drawFrame(MirrorContender& contender, const render::Canvas& canvas, Samples& samples)
 {
-    examples::Stopwatch capture;
-    contender.capture();
-    const double captureWall = capture.wallMilliseconds();
-    examples::Stopwatch scene;
-    glDisable(GL_CULL_FACE); // a capture by hand may leave it on
-    canvas.drawScene();
-    const double sceneWall = scene.wallMilliseconds();
-    examples::Stopwatch mirror;
-    contender.drawMirror();
-    const double mirrorWall = mirror.wallMilliseconds();
-    samples.captureCpu.push_back(capture.cpuMilliseconds());
-    samples.mirrorCpu.push_back(mirror.cpuMilliseconds());
-    samples.bothCpu.push_back(capture.cpuMilliseconds() + mirror.cpuMilliseconds());
-    samples.frameWall.push_back(captureWall + sceneWall + mirrorWall);
+    const Sample capture = timed([&] { contender.capture(); });
+    const Sample scene = timed([&] {
+        glDisable(GL_CULL_FACE); // a capture by hand may leave it on
+        canvas.drawScene();
+    });
+    const Sample mirror = timed([&] { contender.drawMirror(); });
+    samples.capture.push_back(capture.cost());
+    samples.mirror.push_back(mirror.cost());
+    samples.both.push_back(capture.cost() + mirror.cost());
+    samples.frameWall.push_back(capture.wall + scene.wall + mirror.wall);
 }
 
 render::Picture pictureOf(const MirrorEntry& entry, const MirrorStage& stage, View view)
@@ -65,19 +59,19 @@ void runGroup(const LookUpGroup& group, int frames, const MirrorStage& stage, Pr
                       frame < warmUpFrames ? discarded : samples[index]);
             progress.advance(weightOf(group));
         }
-    const double base = quartilesOf(samples.front().bothCpu).median;
+    const double base = quartilesOf(samples.front().both).median;
     for (std::size_t index = 0; index < contenders.size(); ++index) {
         contenders[index].reset();
         const Samples& of = samples[index];
         LookUpRow row{.scene = group.scene,
                       .cubeN = group.cubeN,
                       .entry = group.entries[index],
-                      .captureCpu = quartilesOf(of.captureCpu),
-                      .mirrorCpu = quartilesOf(of.mirrorCpu),
-                      .bothCpu = quartilesOf(of.bothCpu),
+                      .capture = quartilesOf(of.capture),
+                      .mirror = quartilesOf(of.mirror),
+                      .both = quartilesOf(of.both),
                       .frameWall = quartilesOf(of.frameWall),
-                      .frames = of.bothCpu.size()};
-        row.ratio = row.bothCpu.median / base;
+                      .frames = of.both.size()};
+        row.ratio = row.both.median / base;
         row.errors = stage.judge().judge(pictureOf(row.entry, stage, View::position),
                                          pictureOf(row.entry, stage, View::colour));
         progress.advance(judgeFrames * weightOf(group));

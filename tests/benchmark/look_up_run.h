@@ -15,11 +15,11 @@ struct LookUpRow
     const MirrorScene* scene;
     int cubeN;
     MirrorEntry entry;
-    // Milliseconds a frame. CPU time of all threads: of the map, of the reflector's pixels alone, of both; wall time of
-    // the whole frame, which is the map, the scene and the reflector.
-    Quartiles captureCpu, mirrorCpu, bothCpu, frameWall;
+    // Milliseconds a frame. Costs (costName()) of the map, of the reflector's pixels alone, of both; wall time of the whole
+    // frame, which is the map, the scene and the reflector.
+    Quartiles capture, mirror, both, frameWall;
     std::size_t frames = 0; // measured
-    double ratio = 0;       // bothCpu, over that of the group's first
+    double ratio = 0;       // both, over that of the group's first
     ParallaxErrors errors{};
 
     double framesPerSecond() const { return 1e3 / frameWall.median; }

@@ -15,10 +15,15 @@ inline std::string format(const char* pattern, double value)
     return text;
 }
 
+inline std::string milliseconds(double value)
+{
+    return format(value < 10.0 ? "%.2f" : "%.1f", value);
+}
+
 inline std::string timesOf(const Quartiles& quartiles)
 {
-    return format("%.1f", quartiles.median) + " (" + format("%.1f", quartiles.lower) + "-" +
-           format("%.1f", quartiles.upper) + ")";
+    return milliseconds(quartiles.median) + " (" + milliseconds(quartiles.lower) + "-" +
+           milliseconds(quartiles.upper) + ")";
 }
 
 } // namespace tests::benchmark

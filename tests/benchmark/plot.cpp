@@ -84,7 +84,7 @@ void writePlots(const std::filesystem::path& folder, const std::vector<Row>& row
         for (const Row* row : scene)
             if (row->group.cubeN == first.group.cubeN && !row->group.cullBackFaces && row->errors &&
                 (measure.isLogarithmic || row->errors->wrongPercent <= mostWrongPercent))
-                points.push_back({row->cpuRatio, measure.of(*row), row->entry.methodName(),
+                points.push_back({row->costRatio(), measure.of(*row), row->entry.methodName(),
                                   row->entry.rival ? std::nullopt : std::optional(row->entry.map),
                                   row->entry.sizing == Sizing::equalTexels});
         if (points.empty())
@@ -93,8 +93,9 @@ void writePlots(const std::filesystem::path& folder, const std::vector<Row>& row
                         {std::string(sceneOf(first)) + ", " + std::to_string(first.sceneTriangles) +
                              " triangles, cube n = " + std::to_string(first.group.cubeN) +
                              (measure.isLogarithmic ? "" : ", maps with at most 0.1 % wrong"),
-                         "CPU time of pass 1, six-pass culled cube = 1", measure.axis, measure.isLogarithmic,
-                         "method", "as many texels as the cube", "no texel wider than the cube's"},
+                         std::string(costName()) + " time of pass 1, six-pass culled cube = 1", measure.axis,
+                         measure.isLogarithmic, "method", "as many texels as the cube",
+                         "no texel wider than the cube's"},
                         points);
     }
 }
@@ -112,7 +113,8 @@ void writePlots(const std::filesystem::path& folder, const std::vector<LookUpRow
                               row->cubeN == first.cubeN});
         writeParetoPlot(folder / (name + "_" + measure.name),
                         {name + " in a ball, 1280 x 720",
-                         "CPU time of pass 1 and the ball's pixels, cube by hand, infinite, n = 256: 1",
+                         std::string(costName()) +
+                             " time of pass 1 and the ball's pixels, cube by hand, infinite, n = 256: 1",
                          measure.axis, measure.isLogarithmic, "look-up", "as a cube of n = " + n,
                          "of other n"},
                         points);

@@ -36,7 +36,9 @@ void writeRivalCheck(std::ostream& out, const std::vector<RivalCheck>& checks)
 {
     if (checks.empty())
         return;
-    out << "## Whether the hand-written cube is well built\n\nCPU time of six culled passes over six plain "
+    out << "## Whether the hand-written cube is well built\n\n"
+        << costName()
+        << " time of six culled passes over six plain "
            "ones, n = 256, "
            "8-bit formats, back faces culled, beside the ratio that an independent implementation had on a "
            "scene of "
@@ -89,7 +91,7 @@ std::string nanosecondsAFragment(const Row& row)
 {
     if (!row.work.fragmentShaderRuns || *row.work.fragmentShaderRuns == 0)
         return "";
-    const double rest = row.timing.cpu.median - row.cpuBeforeRasteriser.median;
+    const double rest = row.cost() - row.costBeforeRasteriser.median;
     return format("%.1f", 1e6 * rest / static_cast<double>(*row.work.fragmentShaderRuns));
 }
 
@@ -101,13 +103,15 @@ void writeProfiles(std::ostream& out, const std::vector<Profile>& profiles)
            "cube does "
            "what the one by hand does, so that the difference is what the library adds; `perVertex` is what "
            "the map "
-           "costs, `automatic` and `exact` what being right does. Vertices: CPU time of the same draws where "
+           "costs, `automatic` and `exact` what being right does. Vertices: the time of the same draws where "
            "the "
            "rasteriser "
            "discards all, which leaves vertex and geometry shaders; the rest, over the fragment-shader runs, "
            "holds the "
            "triangles' set-up, too. Runs and triangles are what the driver counts in one "
-           "frame.\n\n| scene | | CPU ms | best cube = 1 | of them vertices, ms | the rest, ns a fragment | "
+           "frame.\n\n| scene | | "
+        << costName()
+        << " ms | best cube = 1 | of them vertices, ms | the rest, ns a fragment | "
            "draws | vertex-shader runs a vertex | triangles "
            "rasterised, of "
            "the scene's | fragment-shader runs a texel |\n|---|---|---|---|---|---|---|---|---|---|\n";
@@ -117,10 +121,10 @@ void writeProfiles(std::ostream& out, const std::vector<Profile>& profiles)
             const auto share = [](const std::optional<std::size_t>& count, std::size_t of) {
                 return count ? format("%.2f", static_cast<double>(*count) / static_cast<double>(of)) : "";
             };
-            out << "| " << profile.scene << " | " << line.what << " | "
-                << format("%.1f", row.timing.cpu.median) << " | **" << format("%.2f", row.cpuRatioToBest)
-                << "** | " << format("%.1f", row.cpuBeforeRasteriser.median) << " | "
-                << nanosecondsAFragment(row) << " | " << row.work.sent.draws << " | "
+            out << "| " << profile.scene << " | " << line.what << " | " << milliseconds(row.cost()) << " | **"
+                << format("%.2f", row.costRatioToBest) << "** | "
+                << milliseconds(row.costBeforeRasteriser.median) << " | " << nanosecondsAFragment(row)
+                << " | " << row.work.sent.draws << " | "
                 << share(row.work.vertexShaderRuns, row.sceneVertices) << " | "
                 << share(row.work.primitivesClipped, row.sceneTriangles) << " | "
                 << share(row.work.fragmentShaderRuns, static_cast<std::size_t>(row.measures.texels))
@@ -134,14 +138,16 @@ void writeFindings(std::ostream& out, const std::vector<Row>& rows)
     out << "## Where we win and where we lose\n\nThe cheapest map of the library that shows at most "
         << format("%g", rightPercent)
         << " % wrong texels and no texel wider than the cube's, against the cheapest hand-written cube.\n\n"
-           "| scene | cube n | back faces | map, method | n | CPU time, best cube = 1 | wrong texels | |\n"
+           "| scene | cube n | back faces | map, method | n | "
+        << costName()
+        << " time, best cube = 1 | wrong texels | |\n"
            "|---|---|---|---|---|---|---|---|\n";
     for (const Finding& finding : findingsOf(rows)) {
         const Row& row = *finding.best;
         out << "| " << row.group.scene->name << " | " << row.group.cubeN << " | "
             << (row.group.cullBackFaces ? "culled" : "drawn") << " | "
             << mirrorball::mapInfo(row.entry.map).name << ", " << row.entry.methodName() << " | "
-            << row.entry.n << " | " << format("%.2f", row.cpuRatioToBest) << " | "
+            << row.entry.n << " | " << format("%.2f", row.costRatioToBest) << " | "
             << format("%.4f %%", row.errors->wrongPercent) << " | " << finding.verdict() << " |\n";
     }
     out << '\n';

@@ -78,11 +78,11 @@ void setRatios(std::span<Row> rows)
     double best = std::numeric_limits<double>::infinity();
     for (const Row& row : rows)
         if (row.entry.rival)
-            best = std::min(best, row.timing.cpu.median);
+            best = std::min(best, row.cost());
     for (Row& row : rows) {
         row.cpuRatio = row.timing.cpu.median / base.cpu.median;
         row.wallRatio = row.timing.wall.median / base.wall.median;
-        row.cpuRatioToBest = row.timing.cpu.median / best;
+        row.costRatioToBest = row.cost() / best;
         if (row.timing.gpu && base.gpu)
             row.gpuRatio = row.timing.gpu->median / base.gpu->median;
     }
@@ -128,7 +128,7 @@ void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& pro
         row.sceneVertices = stage.vertexCount();
         row.measures = mirrorball::mapMeasures(row.entry.map, row.entry.n);
         row.timing = timings[index];
-        row.cpuBeforeRasteriser = partTimings[index].cpu;
+        row.costBeforeRasteriser = partTimings[index].cost();
         row.work = countWork(*contenders[index]);
         contenders[index].reset();
         if (!group.isRivalCheck)

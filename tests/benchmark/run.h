@@ -22,13 +22,16 @@ struct Row
     std::size_t sceneTriangles = 0, sceneVertices = 0;
     mirrorball::MapMeasures measures; // of the map at the entry's n
     Timing timing;
-    Quartiles cpuBeforeRasteriser; // of frames whose draws end before it
+    Quartiles costBeforeRasteriser; // of frames whose draws end before it
     WorkCounts work;
     std::optional<Errors> errors; // not of the 8-bit rivals
-    // Median process CPU time and wall time, over that of the culled six-pass cube in the same group; CPU
-    // time also over that of the fastest hand-written cube there.
-    double cpuRatio = 0, wallRatio = 0, cpuRatioToBest = 0;
+    // Medians over those of the culled six-pass cube in the same group; the cost also over that of the cheapest
+    // hand-written cube there.
+    double cpuRatio = 0, wallRatio = 0, costRatioToBest = 0;
     std::optional<double> gpuRatio;
+
+    double cost() const { return timing.cost().median; }
+    double costRatio() const { return gpuRatio.value_or(cpuRatio); }
 };
 
 // `afterGroup` is called with all rows so far.

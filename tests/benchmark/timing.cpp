@@ -1,13 +1,13 @@
 #include "timing.h"
 
 #include "stats.h"
+#include "support/driver.h"
 
 #include <epoxy/gl.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 namespace tests::benchmark {
 
@@ -39,24 +39,18 @@ private:
 struct Samples
 {
     std::vector<double> wall, cpu, gpu;
+
+    void add(const Sample& sample)
+    {
+        wall.push_back(sample.wall);
+        cpu.push_back(sample.cpu);
+        if (sample.gpu)
+            gpu.push_back(*sample.gpu);
+    }
 };
 
 constexpr double millisecondsAContender = 6000.0;
 constexpr double fewestFrames = 2.0;
-
-void addFrame(Contender& contender, const Query* elapsed, Samples& samples)
-{
-    if (elapsed != nullptr)
-        elapsed->begin();
-    examples::Stopwatch watch;
-    contender.draw();
-    if (elapsed != nullptr)
-        elapsed->end();
-    samples.wall.push_back(watch.wallMilliseconds());
-    samples.cpu.push_back(watch.cpuMilliseconds());
-    if (elapsed != nullptr)
-        samples.gpu.push_back(1e-6 * static_cast<double>(elapsed->result()));
-}
 
 } // namespace
 
@@ -73,17 +67,30 @@ Quartiles quartilesOf(std::vector<double> values)
     return {at(0.25), at(0.5), at(0.75)};
 }
 
-bool isSoftwareRasteriser()
+Sample timed(const std::function<void()>& work)
 {
-    const char* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return std::strstr(renderer, "llvmpipe") != nullptr || std::strstr(renderer, "softpipe") != nullptr;
+    const std::unique_ptr<Query> elapsed =
+        tests::isSoftwareRasteriser() ? nullptr : std::make_unique<Query>(GL_TIME_ELAPSED);
+    if (elapsed)
+        elapsed->begin();
+    examples::Stopwatch watch;
+    work();
+    if (elapsed)
+        elapsed->end();
+    Sample sample{watch.wallMilliseconds(), watch.cpuMilliseconds(), std::nullopt};
+    if (elapsed)
+        sample.gpu = 1e-6 * static_cast<double>(elapsed->result());
+    return sample;
+}
+
+const char* costName()
+{
+    return tests::isSoftwareRasteriser() ? "CPU" : "GPU";
 }
 
 std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contenders, int warmUp, int frames,
                             const std::function<void()>& afterEach)
 {
-    const std::unique_ptr<Query> elapsed =
-        isSoftwareRasteriser() ? nullptr : std::make_unique<Query>(GL_TIME_ELAPSED);
     std::vector<Samples> samples(contenders.size());
     std::vector<int> last(contenders.size(), warmUp + frames);
     for (int frame = 0; frame < warmUp + frames; ++frame)
@@ -91,7 +98,7 @@ std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contende
             Samples discarded;
             const bool isSlow = last[index] < warmUp + frames; // and warm by now
             if (frame < last[index] && !(isSlow && frame < warmUp))
-                addFrame(*contenders[index], elapsed.get(), frame < warmUp ? discarded : samples[index]);
+                (frame < warmUp ? discarded : samples[index]).add(timed([&] { contenders[index]->draw(); }));
             if (frame == 1 && !discarded.wall.empty()) { // the first one also compiles
                 const double affordable = millisecondsAContender / discarded.wall.front();
                 last[index] = warmUp + std::min(frames, static_cast<int>(std::max(affordable, fewestFrames)));

@@ -21,10 +21,23 @@ struct Timing
     Quartiles wall, cpu;          // milliseconds a frame; CPU of all threads of the process
     std::optional<Quartiles> gpu; // GL_TIME_ELAPSED; not on software rasterisers, where it is wrong
     std::size_t frames = 0;       // measured
+
+    // What contenders are compared by: GPU time where there is one.
+    const Quartiles& cost() const { return gpu ? *gpu : cpu; }
 };
 
-// Whether the current context draws on the CPU.
-bool isSoftwareRasteriser();
+// Milliseconds of one piece of work that ends with glFinish.
+struct Sample
+{
+    double wall, cpu;
+    std::optional<double> gpu;
+
+    double cost() const { return gpu.value_or(cpu); }
+};
+Sample timed(const std::function<void()>& work);
+
+// "CPU" or "GPU": whose time the current context's costs are.
+const char* costName();
 
 // `warmUp` frames that are not measured, then `frames`; of a contender of which so many would take longer than six
 // seconds fewer are drawn, but two. `afterEach` is called after every frame of one, drawn or not.

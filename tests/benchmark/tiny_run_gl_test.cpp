@@ -83,10 +83,10 @@ void countsAreExact(const std::vector<Row>& rows)
 void ratiosAreNumbers(const std::vector<Row>& rows)
 {
     for (const Row& row : rows)
-        for (const double ratio : {row.cpuRatio, row.wallRatio, row.cpuRatioToBest})
+        for (const double ratio : {row.cpuRatio, row.wallRatio, row.costRatioToBest})
             CHECK(std::isfinite(ratio) && ratio > 0.0);
     for (const Row& row : rows)
-        CHECK(row.cpuBeforeRasteriser.median > 0.0);
+        CHECK(row.costBeforeRasteriser.median > 0.0);
     CHECK(find(rows, MapKind::cube, "six passes, culled").cpuRatio == 1.0);
 }
 
@@ -143,7 +143,7 @@ void lookUpsAreJudged(const std::vector<LookUpRow>& rows)
     for (const Lookup lookup : {Lookup::infinite, Lookup::box})
         CHECK_NEAR(find(false, lookup).mean, find(true, lookup).mean, 0.01);
     for (const LookUpRow& row : rows)
-        CHECK(row.captureCpu.median > 0.0 && row.mirrorCpu.median > 0.0 && row.framesPerSecond() > 0.0);
+        CHECK(row.capture.median > 0.0 && row.mirror.median > 0.0 && row.framesPerSecond() > 0.0);
 }
 
 void equalAngleIsTheSmallest()

@@ -1,6 +1,7 @@
 // The captured distance is the same however the host's position reaches it: through a varying that the fragment shader
 // has, through one that an #if leaves out, through an expression, and from a centre that is far from the origin.
 #include "support/check.h"
+#include "support/driver.h"
 #include "support/wall_patches.h"
 
 #include <mirrorball/headless/context.h>
@@ -91,10 +92,14 @@ int main()
                     worst[&host - hosts] = worstError(walls, host, desc);
                 std::printf("%s, near %g: %g\n", std::string(mapInfo(map).name).c_str(),
                             static_cast<double>(near), worst[0]);
-                const bool isMapped = map == MapKind::tennisBall && method == CaptureMethod::automatic;
+                const bool isAutomatic = method == CaptureMethod::automatic;
+                // Rasterisers move vertices to a grid of 1/256 texel or finer, and GPUs with them what they interpolate:
+                // seen at 60 degrees, a distance that is so much off. llvmpipe and softpipe interpolate unmoved.
+                const double snapping = isSoftwareRasteriser() ? 3e-6 : 4e-4;
+                const double bound = !isAutomatic ? 3e-6 : map == MapKind::tennisBall ? 0.02 : snapping;
                 for (const double each : worst) {
-                    CHECK(each < (isMapped ? 0.02 : 3e-6));
-                    CHECK_NEAR(each, worst[0], 3e-6);
+                    CHECK(each < bound);
+                    CHECK_NEAR(each, worst[0], isAutomatic ? snapping : 3e-6);
                 }
             }
 }

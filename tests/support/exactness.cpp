@@ -15,6 +15,8 @@ namespace {
 constexpr double sameDistance = 1e-4;
 // Nearer to an edge, either of the two may be on the wrong side in float.
 constexpr double atEdge = 1e-5;
+// Nearer than this a direction in float does not know on which side it is.
+constexpr double onEdge = 6e-8;
 
 double angleToEdgesOf(const examples::Scene& scene, const glm::dvec3& at, const glm::dvec3& direction,
                       std::uint32_t triangle)
@@ -55,6 +57,7 @@ void compare(Exactness& result, const examples::Scene& scene, const glm::dvec3& 
         if (seen.triangle)
             edgeAngle = std::min(edgeAngle, angleToEdgesOf(scene, at, direction, *seen.triangle));
     result.wrongFarOff += edgeAngle > atEdge ? 1 : 0;
+    result.ties += edgeAngle < onEdge ? 1 : 0;
 }
 
 void add(Exactness& total, const Exactness& part)
@@ -63,6 +66,7 @@ void add(Exactness& total, const Exactness& part)
     total.shown += part.shown;
     total.wrong += part.wrong;
     total.wrongFarOff += part.wrongFarOff;
+    total.ties += part.ties;
     total.holes += part.holes;
     total.worstDistance = std::max(total.worstDistance, part.worstDistance);
 }

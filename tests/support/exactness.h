@@ -18,6 +18,8 @@ struct Exactness
     std::size_t wrong = 0;
     // Of these, those that lie more than 1e-5 rad from every edge of what is shown and of what is traced.
     std::size_t wrongFarOff = 0;
+    // Of the wrong ones, those within 6e-8 rad of an edge: half a float's last digit.
+    std::size_t ties = 0;
     std::size_t holes = 0;      // nothing shown where the trace hits something
     double worstDistance = 0.0; // relative, over the other texels
 

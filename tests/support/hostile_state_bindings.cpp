@@ -116,8 +116,8 @@ constexpr HostileEntry entries[] = {
          forEachAttributeValue(
              [](GLuint i) { glVertexAttrib4f(i, static_cast<GLfloat>(i), 0.1f, 0.2f, 0.3f); });
      },
-     [](const HostObjects&) {
-         forEachAttributeValue([](GLuint i) { glVertexAttrib4f(i, 0.0f, 0.0f, 0.0f, 1.0f); });
+     [](const HostObjects& host) {
+         forEachAttributeValue([&](GLuint i) { glVertexAttrib4fv(i, host.attributeValues[i].data()); });
      }},
     {"host's buffer on every binding point", always,
      [](const HostObjects& host) {

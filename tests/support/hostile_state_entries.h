@@ -29,6 +29,8 @@ struct HostObjects
     std::array<GLint, 4> viewport{}; // to go back to
     std::array<GLint, 4> scissor{};
     GLuint stencilMask = 0; // as many ones as the implementation cares for
+    std::vector<std::array<GLfloat, 4>>
+        attributeValues; // on NVIDIA some of them are the fixed function's, colour first
 
     std::vector<HostTexture> textures; // one for each target of the context
     GLuint sampler = 0;

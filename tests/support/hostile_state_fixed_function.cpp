@@ -116,7 +116,7 @@ constexpr HostileEntry entries[] = {
          glShadeModel(GL_SMOOTH);
      }},
     {"attributes pushed and changed", compatibility,
-     [](const HostObjects&) {
+     [](const HostObjects& host) {
          constexpr GLfloat values[] = {0.25f, 0.5f, 0.75f, 0.125f};
          glPushAttrib(GL_ALL_ATTRIB_BITS); // what follows goes with the pop
          glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
@@ -127,7 +127,10 @@ constexpr HostileEntry entries[] = {
          glFogCoordf(0.5f);
          glTexCoord4fv(values);
          glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_ADD);
+         const GLint bound = limit(GL_DRAW_FRAMEBUFFER_BINDING);
+         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, host.drawFramebuffer); // a window position needs one
          glWindowPos2f(3.0f, 4.0f);
+         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
          glClearAccum(0.25f, 0.5f, 0.75f, 1.0f);
          glLineStipple(3, 0x5555);
          glListBase(7);

@@ -35,7 +35,7 @@ constexpr HostileEntry fragments[] = {
          glStencilFuncSeparate(GL_BACK, GL_LESS, 2, 0xf0);
          glStencilOpSeparate(GL_FRONT, GL_INVERT, GL_INCR, GL_DECR);
          glStencilOpSeparate(GL_BACK, GL_ZERO, GL_REPLACE, GL_INCR_WRAP);
-         glStencilMaskSeparate(GL_FRONT, 0xffffffff); // glGetIntegerv cannot tell it from 0x7fffffff on Mesa
+         glStencilMaskSeparate(GL_FRONT, 0x55);
          glStencilMaskSeparate(GL_BACK, 0xaa);
      },
      [](const HostObjects& host) {

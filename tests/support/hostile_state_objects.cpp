@@ -161,6 +161,9 @@ HostObjects::HostObjects()
     GLint64 mask = 0; // 64 bits, since glGetIntegerv may clamp 32 ones
     glGetInteger64v(GL_STENCIL_WRITEMASK, &mask);
     stencilMask = static_cast<GLuint>(mask);
+    attributeValues.resize(static_cast<std::size_t>(limit(GL_MAX_VERTEX_ATTRIBS)), {0.0f, 0.0f, 0.0f, 1.0f});
+    for (GLuint i = has(compatibility) ? 1 : 0; i < attributeValues.size(); ++i)
+        glGetVertexAttribfv(i, GL_CURRENT_VERTEX_ATTRIB, attributeValues[i].data());
 
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);

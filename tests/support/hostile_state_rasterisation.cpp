@@ -163,6 +163,18 @@ constexpr HostileEntry entries[] = {
          glWindowRectanglesEXT(GL_INCLUSIVE_EXT, 1, box);
      },
      [](const HostObjects&) { glWindowRectanglesEXT(GL_EXCLUSIVE_EXT, 0, nullptr); }},
+    {"rasterised as if multisampled", rasterMultisample,
+     [](const HostObjects&) { glEnable(GL_RASTER_MULTISAMPLE_EXT); },
+     [](const HostObjects&) { glDisable(GL_RASTER_MULTISAMPLE_EXT); }},
+    {"conservative rasterisation (NVIDIA)", conservativeNvidia,
+     [](const HostObjects&) { glEnable(GL_CONSERVATIVE_RASTERIZATION_NV); },
+     [](const HostObjects&) { glDisable(GL_CONSERVATIVE_RASTERIZATION_NV); }},
+    {"conservative rasterisation (Intel)", conservativeIntel,
+     [](const HostObjects&) { glEnable(GL_CONSERVATIVE_RASTERIZATION_INTEL); },
+     [](const HostObjects&) { glDisable(GL_CONSERVATIVE_RASTERIZATION_INTEL); }},
+    {"shading rate from an image", shadingRateImage,
+     [](const HostObjects&) { glEnable(GL_SHADING_RATE_IMAGE_NV); },
+     [](const HostObjects&) { glDisable(GL_SHADING_RATE_IMAGE_NV); }},
     {"primitive bounding box", primitiveBounds,
      [](const HostObjects&) { glPrimitiveBoundingBoxARB(0.0f, 0.0f, 0.0f, 1.0f, 0.1f, 0.1f, 0.1f, 1.0f); },
      [](const HostObjects&) {

@@ -1,11 +1,10 @@
 #include "support/wall_patches.h"
 
 #include "support/check.h"
+#include "support/driver.h"
 #include "support/gl_image.h"
 
 #include <epoxy/gl.h>
-
-#include <cstring>
 
 using namespace mirrorball;
 
@@ -74,11 +73,6 @@ void WallPatches::draw(std::uint64_t patch, unsigned int primitive) const
 {
     glBindVertexArray(vertexArray_);
     glDrawArrays(primitive, static_cast<GLint>(patch) * 3 * trianglesPerPatch, 3 * trianglesPerPatch);
-}
-
-bool isSoftpipe()
-{
-    return std::strcmp(reinterpret_cast<const char*>(glGetString(GL_RENDERER)), "softpipe") == 0;
 }
 
 static std::vector<CapturePath> judged(std::vector<CapturePath> paths)

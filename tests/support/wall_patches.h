@@ -32,8 +32,6 @@ struct CapturePath
     mirrorball::LayerOrder layers;
 };
 
-bool isSoftpipe();
-
 // Every way that a program is put together. Softpipe's own interpolation is off by far more than these tests
 // allow on slivers, such as clipping leaves; there only what the library interpolates is judged.
 std::vector<CapturePath> capturePaths();

@@ -8,7 +8,7 @@ uniform int mirrorball_nearestLevel; // of the distances: there a texel holds th
 // Of the march; what is thinner than one may be missed. Steps are denser towards the end, by the more the smaller
 // mirrorball_even.
 #if MIRRORBALL_LAYERED
-const int mirrorball_steps = 30;
+const int mirrorball_steps = 28;
 const float mirrorball_even = 0.3;
 #else
 const int mirrorball_steps = 18;
