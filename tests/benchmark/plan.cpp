@@ -1,5 +1,7 @@
 #include "plan.h"
 
+#include "support/driver.h"
+
 #include <mirrorball/maps/measures.h>
 
 #include <algorithm>
@@ -191,7 +193,7 @@ std::vector<Group> makePlan(const Options& options, std::vector<std::string>& mi
                     addMap(group, map, options);
                 groups.push_back(std::move(group));
             }
-        if (scene.culledOverPlain)
+        if (scene.culledOverPlain && tests::isSoftwareRasteriser()) // which the expected ratios are of
             for (const Vertices vertices : {Vertices::shared, Vertices::own}) {
                 groups.push_back({&scene, mainN, true, true, vertices, {}});
                 addRivals(groups.back());

@@ -71,9 +71,10 @@ Sample timed(const std::function<void()>& work)
 {
     const std::unique_ptr<Query> elapsed =
         tests::isSoftwareRasteriser() ? nullptr : std::make_unique<Query>(GL_TIME_ELAPSED);
+    // Finishes what is before it, and the GPU would wait for the CPU between a query's begin and a finish.
+    examples::Stopwatch watch;
     if (elapsed)
         elapsed->begin();
-    examples::Stopwatch watch;
     work();
     if (elapsed)
         elapsed->end();
