@@ -12,6 +12,7 @@
 #include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -152,6 +153,9 @@ Files traceMap(const Options& options, const Scene& scene)
 void run(const Options& options)
 {
     requireAllowed(options);
+    if (std::filesystem::path(options.prefix).filename().empty())
+        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "the output '" + options.prefix + "'",
+                                "it ends where the files' names would begin", "add a name");
     if (options.supersample < 1 || options.supersample > 16)
         throw mirrorball::Error(mirrorball::ErrorKind::badArgument,
                                 "--supersample " + std::to_string(options.supersample),

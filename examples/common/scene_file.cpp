@@ -343,7 +343,9 @@ Scene readSceneFile(const std::string& file)
     const std::string asked = "model " + file;
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) {
-        throw Error(ErrorKind::notFound, asked, "no such file", "give a file or one of the built-in names");
+        const char* const found =
+            std::filesystem::exists(file, ignored) ? "it is not a file" : "no such file";
+        throw Error(ErrorKind::notFound, asked, found, "give a file or one of the built-in names");
     }
     if (std::filesystem::file_size(file, ignored) == 0) {
         throw Error(ErrorKind::badFile, asked, "the file is empty");

@@ -114,5 +114,10 @@ int main(int argc, char** argv)
     app.name("hello_probe");
     app.add_option("--headless", file, "draws one frame and writes it")->type_name("OUT.png");
     addInteger(app, "--frames", frames, "closes the window after so many frames");
-    return runProgram(app, argc, argv, [&] { file.empty() ? showWindow(frames) : writePicture(file); });
+    return runProgram(app, argc, argv, [&] {
+        if (!file.empty() && !file.ends_with(".png"))
+            throw Error(ErrorKind::badArgument, "the output '" + file + "'", "its extension is not .png",
+                        "name it so");
+        file.empty() ? showWindow(frames) : writePicture(file);
+    });
 }

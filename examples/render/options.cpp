@@ -6,6 +6,8 @@
 
 #include <mirrorball/io/image.h>
 
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -39,6 +41,8 @@ void requireAllowed(const ReflectorOptions& reflector)
     requireFinite(reflector.at, "--at");
     requireFinite(reflector.turn, "--probe-turn");
     requireFinite(reflector.tint, "--tint");
+    if (glm::any(glm::lessThan(reflector.tint, glm::dvec3(0.0))))
+        throw Error(ErrorKind::badArgument, "--tint", "a colour of it is negative", "give 0 or more");
     requirePositive(reflector.scale, "--scale");
     if (!(reflector.blend >= 0.0 && reflector.blend <= 1.0))
         throw Error(ErrorKind::badArgument, "--blend", "it is not between 0 and 1",
@@ -53,6 +57,9 @@ void requireOutput(const Options& options)
                     "its extension is neither .png nor .exr", "name it so");
     if (options.view == View::position && extension == ".png")
         throw Error(ErrorKind::badArgument, "--view position", "a PNG cannot hold it", "write an .exr");
+    if (options.stats == options.output)
+        throw Error(ErrorKind::badArgument, "--stats " + options.stats, "the picture is of that name",
+                    "name another");
 }
 
 } // namespace

@@ -193,6 +193,9 @@ void testRender(const Subject& render, const BadScenes& scenes)
                                 {"--blend", "1.5"},
                                 {"--blend", "nan"},
                                 {"--tint", "0,0,nan"},
+                                {"--tint", "1,-0.5,1"},
+                                {"--proxy-low", "1,1,1", "--proxy-high", "1,2,2"},
+                                {"--proxy-low", "1000,0,0"},
                                 {"--pixels", "0x10"},
                                 {"--pixels", "-5x10"},
                                 {"--pixels", "100000x100000"},
@@ -211,6 +214,8 @@ void testRender(const Subject& render, const BadScenes& scenes)
     for (const char* const name : {"picture", "picture.jpg", "picture.png.txt"})
         render.refusesExactly(failed, {"builtin:cards", "-o", folder / name});
     render.refusesExactly(failed, {"builtin:cards", "--view", "position", "-o", folder / "picture.png"});
+    render.refusesExactly(failed,
+                          {"builtin:cards", "-o", folder / "picture.png", "--stats", folder / "picture.png"});
     CHECK(folder.fileCount() == 0);
 }
 
@@ -241,6 +246,7 @@ void testHello(const Subject& hello)
     hello.refusesExactly(misused, {"--frames", "few"});
     hello.refusesExactly(misused, {"--headless"});
     hello.refusesExactly(failed, {"--headless", folder / "missing/hello.png"});
+    hello.refusesExactly(failed, {"--headless", folder / "hello.txt"});
     hello.refusesExactly(failed, {"--headless", folder / "hello.png"},
                          {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null"}});
     hello.refusesExactly(failed, {}, {{"DISPLAY", ":987654"}, {"WAYLAND_DISPLAY", "none"}});
@@ -254,6 +260,9 @@ void testHalfAMap(const Subject& capture)
     std::filesystem::create_directory(folder / "map_1.exr");
     capture.refusesExactly(failed, {"builtin:cards", "--size", "16", "-o", folder / "map"});
     CHECK(folder.fileCount() == 1);
+    std::filesystem::create_directory(folder / "maps");
+    capture.refusesExactly(failed, {"builtin:cards", "--size", "16", "-o", folder / "maps/"});
+    CHECK(std::filesystem::is_empty(folder / "maps"));
 }
 
 } // namespace
