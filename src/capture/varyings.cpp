@@ -1,5 +1,7 @@
 #include "capture/varyings.h"
 
+#include "capture/packing.h"
+
 #include "gl/context.h"
 
 #include <mirrorball/error.h>
@@ -7,49 +9,22 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <functional>
-#include <map>
 #include <optional>
 
 namespace mirrorball::capture {
 
 namespace {
 
-bool isFlat(const Varying& varying)
+// Scalars of a varying as the host's shaders hand it on.
+int scalarsOf(const Varying& varying)
 {
-    return varying.interpolation == "flat";
-}
-
-// Scalars of a numeric type, or nothing for a type that capture does not carry.
-std::optional<int> scalarsOf(const std::string& type)
-{
-    static const std::map<std::string, int> known = [] {
-        std::map<std::string, int> all = {{"float", 1}, {"int", 1}, {"uint", 1}};
-        for (int size = 2; size <= 4; ++size) {
-            const std::string suffix = std::to_string(size);
-            for (const char* const vector : {"vec", "ivec", "uvec"})
-                all[vector + suffix] = size;
-            all["mat" + suffix] = size * size;
-            for (int rows = 2; rows <= 4; ++rows)
-                all["mat" + suffix + "x" + std::to_string(rows)] = size * rows;
-        }
-        return all;
-    }();
-    const auto found = known.find(type);
-    return found == known.end() ? std::nullopt : std::optional(found->second);
-}
-
-// Scalars of a varying in one vertex of the stage that writes most.
-int scalarsOf(const Varying& varying, Carriage carriage)
-{
-    const int one = scalarsOf(varying.type).value_or(4) * std::max(varying.elements, 1);
-    return carriage == Carriage::exact && !isFlat(varying) ? 3 * one : one;
+    const std::optional<TypeShape> shape = shapeOf(varying.type);
+    return (shape ? shape->scalars() : 4) * std::max(varying.elements, 1);
 }
 
 // Branches of an #if may declare one name twice: the greater counts, once.
-bool isCounted(const std::vector<Varying>& varyings, std::size_t index)
+bool isCounted(std::span<const Varying> varyings, std::size_t index)
 {
     return std::none_of(varyings.begin(), varyings.begin() + static_cast<std::ptrdiff_t>(index),
                         [&](const Varying& before) { return before.name == varyings[index].name; });
@@ -93,11 +68,6 @@ std::string carriedName(const Varying& varying)
            (varying.block.empty() ? "" : "_member" + std::to_string(varying.member));
 }
 
-std::string carriedName(const Varying& varying, int corner)
-{
-    return carriedName(varying) + "_" + std::to_string(corner);
-}
-
 // What declares the vertex shader's output in the stage after it, an array over the corners.
 std::string fromVertex(const Varying& varying)
 {
@@ -117,30 +87,28 @@ std::string atCorner(const Varying& varying, const std::string& corner)
                                        "]." + varying.vertexName;
 }
 
-// target = value, for each element of an array, whose place in either is marked by a #. With constant indices and never a
-// whole array at once, which NVIDIA's geometry shaders got wrong.
-std::string assignment(const Varying& varying, const std::string& target, const std::string& value)
+// A statement for each element of an array, handed the element's number and what selects it; one for anything else. With
+// constant indices and never of a whole array at once: the simplest for every driver.
+template <class Statement>
+std::string forElements(const Varying& varying, Statement statement)
 {
-    const bool isArray = !varying.arraySuffix.empty();
+    if (varying.arraySuffix.empty())
+        return statement(0, std::string());
     std::string lines;
-    for (int element = 0; element < (isArray ? varying.elements : 1); ++element) {
-        std::string line = target + " = " + value + ";\n";
-        for (std::size_t mark = line.find('#'); mark != std::string::npos; mark = line.find('#'))
-            line.replace(mark, 1, isArray ? "[" + std::to_string(element) + "]" : "");
-        lines += line;
-    }
+    for (int element = 0; element < varying.elements; ++element)
+        lines += statement(element, "[" + std::to_string(element) + "]");
     return lines;
 }
 
 // The mean of three corners by a vector of weights; of a flat varying, the provoking vertex's value.
-std::string mixed(const Varying& varying, const std::string& weight,
-                  const std::function<std::string(int)>& corner)
+template <class Corner>
+std::string mixed(const Varying& varying, const std::string& weight, Corner corner)
 {
     if (isFlat(varying))
-        return corner(2) + "#";
+        return corner(2);
     std::string sum;
     for (int index = 0; index < 3; ++index)
-        sum += (index == 0 ? "" : " + ") + weight + "." + "xyz"[index] + " * " + corner(index) + "#";
+        sum += (index == 0 ? "" : " + ") + weight + "." + "xyz"[index] + " * " + corner(index);
     return sum;
 }
 
@@ -163,7 +131,7 @@ std::string described(const Varying& varying, const std::string& programName)
 
 std::string troubleOf(const Varying& varying)
 {
-    if (!scalarsOf(varying.type))
+    if (!shapeOf(varying.type))
         return "it is no scalar, vector or matrix of float, int or uint, nor an array of them";
     return varying.elements < 1 ? "its size '" + varying.arraySuffix + "' is no number" : "";
 }
@@ -270,11 +238,13 @@ int ownScalars(Carriage carriage)
     }
 }
 
-int scalarsOf(const std::vector<Varying>& varyings, Carriage carriage)
+int scalarsOf(std::span<const Varying> varyings, Carriage carriage)
 {
+    if (carriage == Carriage::exact)
+        return ownScalars(carriage) + Packing(varyings).scalars();
     int sum = ownScalars(carriage);
     for (std::size_t index = 0; index < varyings.size(); ++index)
-        sum += isCounted(varyings, index) ? scalarsOf(varyings[index], carriage) : 0;
+        sum += isCounted(varyings, index) ? scalarsOf(varyings[index]) : 0;
     return sum;
 }
 
@@ -288,7 +258,6 @@ void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int ve
                  const std::string& programName)
 {
     const Limits limits = limitsOf(carriage, vertices);
-    int before = ownScalars(Carriage::direct), after = ownScalars(carriage);
     for (std::size_t index = 0; index < varyings.size(); ++index) {
         const Varying& varying = varyings[index];
         const std::string asked = described(varying, programName);
@@ -302,8 +271,8 @@ void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int ve
                         "split it up or capture with perVertex");
         if (!isCounted(varyings, index))
             continue;
-        before += scalarsOf(varying, Carriage::direct);
-        after += scalarsOf(varying, carriage);
+        const std::span<const Varying> soFar = std::span(varyings).first(index + 1);
+        const int before = scalarsOf(soFar, Carriage::direct), after = scalarsOf(soFar, carriage);
         const bool isTooLong = before > limits.before;
         if (isTooLong || (carriage != Carriage::direct && after > limits.after))
             throw Error(ErrorKind::badShader, asked,
@@ -320,12 +289,10 @@ void requireNoneWithoutResource(const std::vector<Varying>& varyings, Carriage c
     if (log.find("resource") == std::string::npos)
         return;
     for (const Varying& varying : varyings) {
-        // "name", "name[0]" or, of an exact capture's three, "name_0" to "name_2".
         const std::string quoted =
             "\"" + (carriage == Carriage::direct ? varying.name : carriedName(varying));
-        const bool isNamed = std::ranges::any_of(std::array{"\"", "[", "_"}, [&](const char* end) {
-            return log.find(quoted + end) != std::string::npos;
-        });
+        const bool isNamed =
+            log.find(quoted + "\"") != std::string::npos || log.find(quoted + "[") != std::string::npos;
         if (isNamed)
             throw Error(ErrorKind::badShader, described(varying, programName),
                         "this driver has no room for it beside those before", "hand over fewer varyings");
@@ -335,21 +302,23 @@ void requireNoneWithoutResource(const std::vector<Varying>& varyings, Carriage c
 std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carriage)
 {
     const bool isExact = carriage == Carriage::exact;
-    std::string declarations, copies;
-    for (const Varying& varying : varyings) {
+    const Packing packing(varyings);
+    std::string declarations = isExact ? packing.declarations("out") : "", copies;
+    for (std::size_t index = 0; index < varyings.size(); ++index) {
+        const Varying& varying = varyings[index];
         std::string declaration = fromVertex(varying);
-        std::string copy;
-        if (!isExact) {
+        if (!isExact)
             declaration += qualifiers(varying) + "out " + varying.type + " " + carriedName(varying) +
                            varying.arraySuffix + ";\n";
-            copy =
-                assignment(varying, carriedName(varying) + "#", atCorner(varying, prefix + "corner") + "#");
-        }
-        for (int corner = isFlat(varying) ? 2 : 0; isExact && corner < 3; ++corner) {
-            const std::string name = carriedName(varying, corner);
-            declaration += "flat out " + varying.type + " " + name + varying.arraySuffix + ";\n";
-            copy += assignment(varying, name + "#", atCorner(varying, std::to_string(corner)) + "#");
-        }
+        const std::string copy = forElements(varying, [&](int element, const std::string& at) {
+            if (!isExact)
+                return carriedName(varying) + at + " = " + atCorner(varying, prefix + "corner") + at + ";\n";
+            std::string lines;
+            for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner)
+                lines +=
+                    packing.write(index, corner, element, atCorner(varying, std::to_string(corner)) + at);
+            return lines;
+        });
         declarations += onlyWhereDeclared(varying, declaration);
         copies += onlyWhereDeclared(varying, copy);
     }
@@ -365,8 +334,10 @@ std::string controlVaryings(const std::vector<Varying>& varyings)
         const std::string name = carriedName(varying) + "_control";
         declarations += onlyWhereDeclared(varying, fromVertex(varying) + "out " + varying.type + " " + name +
                                                        "[]" + varying.arraySuffix + ";\n");
-        copies += onlyWhereDeclared(
-            varying, assignment(varying, name + "[" + corner + "]#", atCorner(varying, corner) + "#"));
+        copies += onlyWhereDeclared(varying, forElements(varying, [&](int, const std::string& at) {
+                                        return name + "[" + corner + "]" + at + " = " +
+                                               atCorner(varying, corner) + at + ";\n";
+                                    }));
     }
     return declarations + "void " + prefix + "copyVaryings()\n{\n" + copies + "}\n";
 }
@@ -381,9 +352,13 @@ std::string evaluationVaryings(const std::vector<Varying>& varyings)
             onlyWhereDeclared(varying, "in " + varying.type + " " + name + "[]" + varying.arraySuffix +
                                            ";\n" + qualifiers(varying) + "out " + varying.type + " " +
                                            carriedName(varying) + varying.arraySuffix + ";\n");
-        const std::string value =
-            mixed(varying, weight, [&](int corner) { return name + "[" + std::to_string(corner) + "]"; });
-        mixes += onlyWhereDeclared(varying, assignment(varying, carriedName(varying) + "#", value));
+        mixes += onlyWhereDeclared(varying, forElements(varying, [&](int, const std::string& at) {
+                                       const auto ofCorner = [&](int corner) {
+                                           return name + "[" + std::to_string(corner) + "]" + at;
+                                       };
+                                       return carriedName(varying) + at + " = " +
+                                              mixed(varying, weight, ofCorner) + ";\n";
+                                   }));
     }
     return declarations + "void " + prefix + "mixVaryings(vec3 " + weight + ")\n{\n" + mixes + "}\n";
 }
@@ -392,22 +367,22 @@ std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carr
 {
     if (carriage == Carriage::direct)
         return "void " + prefix + "readVaryings() {}\n";
-    const std::string weight = prefix + "weight";
-    std::string declarations, reads;
-    for (const Varying& varying : varyings) {
-        std::string declaration, value;
-        if (carriage == Carriage::copied) {
-            declaration = qualifiers(varying) + "in " + varying.type + " " + carriedName(varying) +
-                          varying.arraySuffix + ";\n";
-            value = carriedName(varying) + "#";
-        } else {
-            for (int corner = isFlat(varying) ? 2 : 0; corner < 3; ++corner)
-                declaration += "flat in " + varying.type + " " + carriedName(varying, corner) +
-                               varying.arraySuffix + ";\n";
-            value = mixed(varying, weight, [&](int corner) { return carriedName(varying, corner); });
-        }
-        declarations += onlyWhereDeclared(varying, declaration);
-        reads += onlyWhereDeclared(varying, assignment(varying, varying.name + "#", value));
+    const bool isExact = carriage == Carriage::exact;
+    const Packing packing(varyings);
+    std::string declarations = isExact ? packing.declarations("in") : "", reads;
+    for (std::size_t index = 0; index < varyings.size(); ++index) {
+        const Varying& varying = varyings[index];
+        if (!isExact)
+            declarations +=
+                onlyWhereDeclared(varying, qualifiers(varying) + "in " + varying.type + " " +
+                                               carriedName(varying) + varying.arraySuffix + ";\n");
+        reads += onlyWhereDeclared(
+            varying, forElements(varying, [&](int element, const std::string& at) {
+                const auto ofCorner = [&](int corner) { return packing.read(index, corner, element); };
+                return varying.name + at + " = " +
+                       (isExact ? mixed(varying, prefix + "weight", ofCorner) : carriedName(varying) + at) +
+                       ";\n";
+            }));
     }
     return declarations + "void " + prefix + "readVaryings()\n{\n" + reads + "}\n";
 }

@@ -6,6 +6,7 @@
 
 #include <mirrorball/maps/maps.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,7 @@ enum class Carriage {
 int ownScalars(Carriage carriage);
 
 // Scalars that the geometry stage writes a vertex (that the vertex stage writes, for direct carriage).
-int scalarsOf(const std::vector<Varying>& varyings, Carriage carriage);
+int scalarsOf(std::span<const Varying> varyings, Carriage carriage);
 
 // Throws Error badShader, which names the varying, where the driver has no room for one or it is of a type
 // that cannot be carried. vertices: how many the geometry stage writes at least for one triangle.
