@@ -163,17 +163,22 @@ flat in uint counts[several];
 out vec4 colour;
 void main()
 {
-    bool rights[] = bool[](
-        distance(vec3(surface.parts[0], surface.parts[1], surface.parts[2]), surface.place) < 1e-4,
-        surface.numbers[0] == ivec2(1, -2) && surface.numbers[1] == ivec2(3, 4),
-        abs(surface.weights[0] - 0.25) + abs(surface.weights[1] - 0.75) < 1e-5,
-        distance(surface.turned[2], surface.place.zxy) < 1e-4, distance(again, surface.place) < 1e-4,
-        distance(vec2(alone[0], 0.5 * alone[1]), surface.place.xy) < 1e-4,
-        counts[0] == 7u && counts[1] == 8u && counts[2] == 9u);
-    colour = vec4(surface.place, 1.0);
-    for (int part = 0; part < rights.length(); ++part)
-        if (!rights[part])
-            colour = vec4(-5.0 - float(part)); // which is beyond the walls
+    int wrong = 0;
+    if (distance(vec3(surface.parts[0], surface.parts[1], surface.parts[2]), surface.place) > 1e-4)
+        wrong += 1;
+    if (surface.numbers[0] != ivec2(1, -2) || surface.numbers[1] != ivec2(3, 4))
+        wrong += 2;
+    if (abs(surface.weights[0] - 0.25) + abs(surface.weights[1] - 0.75) > 1e-5)
+        wrong += 4;
+    if (distance(surface.turned[2], surface.place.zxy) > 1e-4)
+        wrong += 8;
+    if (distance(again, surface.place) > 1e-4)
+        wrong += 16;
+    if (distance(vec2(alone[0], 0.5 * alone[1]), surface.place.xy) > 1e-4)
+        wrong += 32;
+    if (counts[0] != 7u || counts[1] != 8u || counts[2] != 9u)
+        wrong += 64;
+    colour = wrong == 0 ? vec4(surface.place, 1.0) : vec4(-5.0 - float(wrong)); // which is beyond the walls
 }
 )";
 
