@@ -54,23 +54,20 @@ bool isFlat(const Varying& varying)
 
 Packing::Packing(std::span<const Varying> varyings)
 {
-    for (const Varying& varying : varyings) {
-        Place place{varying.name,
-                    varying.type,
-                    shapeOf(varying.type).value_or(TypeShape{1, 4, false}),
-                    isFlat(varying) ? 1 : 3,
-                    std::max(varying.elements, 1),
-                    0};
-        // Branches of an #if may declare one name twice: they have the same place.
-        const auto before = std::ranges::find_if(places_, [&](const Place& other) {
-            return other.name == place.name && other.shape.isInteger == place.shape.isInteger &&
-                   other.scalars() >= place.scalars();
-        });
+    for (const Varying& varying : varyings)
+        places_.push_back({varying.name, varying.type, shapeOf(varying.type).value_or(TypeShape{1, 4, false}),
+                           isFlat(varying) ? 1 : 3, std::max(varying.elements, 1), -1});
+    // Branches of an #if may declare one name twice: they have the same place, with room for the largest.
+    for (const Place& place : places_) {
+        if (place.first >= 0)
+            continue;
         int& used = place.shape.isInteger ? integers_ : floats_;
-        place.first = before != places_.end() ? before->first : used;
-        if (before == places_.end())
-            used += place.scalars();
-        places_.push_back(std::move(place));
+        const int first = used;
+        for (Place& other : places_)
+            if (other.name == place.name && other.shape.isInteger == place.shape.isInteger) {
+                other.first = first;
+                used = std::max(used, first + other.scalars());
+            }
     }
 }
 

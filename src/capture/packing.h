@@ -44,7 +44,7 @@ private:
         std::string name, type;
         TypeShape shape;
         int corners, elements;
-        int first; // scalar, among the floats or the integers
+        int first; // scalar, among the floats or the integers; -1: not yet known
 
         int scalars() const { return corners * elements * shape.scalars(); }
     };

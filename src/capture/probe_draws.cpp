@@ -36,12 +36,11 @@ unsigned int ReflectionProbe::Implementation::primitive() const
 // What all draws into a view have in common.
 void ReflectionProbe::Implementation::beginDraws(int view)
 {
-    static std::atomic<std::uint64_t> serials = 0;
+    static std::atomic<std::uint64_t> serials =
+        0; // of the process: a program may draw for several probes in turn
     viewSerial = ++serials;
     const auto layer = static_cast<std::size_t>(view < 0 ? 0 : capture::layerOfView(desc.map, view));
     glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? target().allLayers.name() : target().layers[layer].name());
-    if (peeling || hides)
-        bindToLastUnits();
     glViewport(0, 0, drawSize.width, drawSize.height);
     for (GLenum plane = 0; plane < 3; ++plane)
         glDisable(GL_CLIP_DISTANCE0 + plane);
@@ -59,6 +58,8 @@ unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int v
     LinkedProgram& linked = mesh.program->implementation().program(variant);
     if (!applied || applied->view != view)
         beginDraws(view);
+    if (peeling || hides)
+        bindToLastUnits(); // a host may clear all units after a draw
     // A host may end its draws with none; but programs used again are checked again, which costs more than a draw.
     if (gl::integer(GL_CURRENT_PROGRAM) != static_cast<int>(linked.program.name()))
         glUseProgram(linked.program.name());
@@ -188,6 +189,10 @@ ReflectionProbe::Implementation::planOf(std::span<const CaptureMesh> meshes) con
 
 void ReflectionProbe::Implementation::compile(const Plan& plan, std::span<const CaptureMesh> meshes) const
 {
+    // Errors of a program show in the first capture, also where its meshes are out of sight.
+    for (const CaptureMesh& mesh : meshes)
+        if (mesh.program->implementation().programs.empty())
+            mesh.program->implementation().program(frame.variantOf(mesh, together() ? -1 : 0, peeling));
     for (const PlannedView& planned : plan)
         for (const PlannedDraw& each : planned.draws) {
             CaptureProgram::Implementation& program = meshes[each.mesh].program->implementation();

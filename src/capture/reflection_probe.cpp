@@ -5,7 +5,6 @@
 #include "capture/map_textures.h"
 #include "capture/pose.h"
 #include "capture/probe_implementation.h"
-#include "capture/uniforms.h"
 #include "capture/views.h"
 #include "gl/context.h"
 #include "gl/state_guard.h"

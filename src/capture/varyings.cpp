@@ -23,7 +23,7 @@ int scalarsOf(const Varying& varying)
     return (shape ? shape->scalars() : 4) * std::max(varying.elements, 1);
 }
 
-// Branches of an #if may declare one name twice: the greater counts, once.
+// Branches of an #if may declare one name twice: the first counts.
 bool isCounted(std::span<const Varying> varyings, std::size_t index)
 {
     return std::none_of(varyings.begin(), varyings.begin() + static_cast<std::ptrdiff_t>(index),
@@ -269,8 +269,6 @@ void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int ve
         if (!trouble.empty())
             throw Error(ErrorKind::badShader, asked, trouble + ", and this capture carries no others",
                         "split it up or capture with perVertex");
-        if (!isCounted(varyings, index))
-            continue;
         const std::span<const Varying> soFar = std::span(varyings).first(index + 1);
         const int before = scalarsOf(soFar, Carriage::direct), after = scalarsOf(soFar, carriage);
         const bool isTooLong = before > limits.before;
@@ -284,19 +282,26 @@ void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int ve
 }
 
 void requireNoneWithoutResource(const std::vector<Varying>& varyings, Carriage carriage,
-                                const std::string& log, const std::string& programName)
+                                const std::string& linkError, const std::string& programName)
 {
+    const std::size_t begin = linkError.find("does not link");
+    const std::string log = begin == std::string::npos ? "" : linkError.substr(begin);
     if (log.find("resource") == std::string::npos)
         return;
-    for (const Varying& varying : varyings) {
-        const std::string quoted =
-            "\"" + (carriage == Carriage::direct ? varying.name : carriedName(varying));
-        const bool isNamed =
-            log.find(quoted + "\"") != std::string::npos || log.find(quoted + "[") != std::string::npos;
-        if (isNamed)
-            throw Error(ErrorKind::badShader, described(varying, programName),
-                        "this driver has no room for it beside those before", "hand over fewer varyings");
-    }
+    const auto isNamed = [&](const std::string& name) {
+        return log.find("\"" + name + "\"") != std::string::npos ||
+               log.find("\"" + name + "[") != std::string::npos;
+    };
+    const auto found = std::ranges::find_if(varyings, [&](const Varying& varying) {
+        return isNamed(varying.vertexName) || isNamed(carriedName(varying));
+    });
+    const bool isPacked =
+        carriage == Carriage::exact && log.find("\"" + prefix + "packed") != std::string::npos;
+    if (found == varyings.end() && !(isPacked && !varyings.empty()))
+        return;
+    const Varying& varying = found != varyings.end() ? *found : varyings.back();
+    throw Error(ErrorKind::badShader, described(varying, programName),
+                "this driver has no room for it beside those before", "hand over fewer varyings");
 }
 
 std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carriage)

@@ -65,9 +65,9 @@ void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int ve
                  const std::string& programName);
 
 // Drivers may waste room: NVIDIA's lays a vec3 where a vec4 would go. Throws Error badShader with the host's name for the
-// first varying that a linker's log says has no resource.
+// varying that a linker says it has no resource for, of packed ones for the last.
 void requireNoneWithoutResource(const std::vector<Varying>& varyings, Carriage carriage,
-                                const std::string& log, const std::string& programName);
+                                const std::string& linkError, const std::string& programName);
 
 // Whether the driver has room.
 bool hasRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices);

@@ -17,6 +17,7 @@ public:
     // Saves also the texture and sampler bindings of units [firstUnit, firstUnit + units). `abilities`: of the current
     // context; they outlive the guard.
     StateGuard(const Abilities& abilities, int firstUnit, int units);
+    StateGuard(Abilities&&, int, int) = delete;
     ~StateGuard();
     StateGuard(const StateGuard&) = delete;
     StateGuard& operator=(const StateGuard&) = delete;

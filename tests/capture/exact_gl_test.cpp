@@ -8,6 +8,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 #include <string>
@@ -32,8 +33,9 @@ void check(const std::string& name, const examples::Scene& scene, const glm::dve
                 std::string(mapInfo(map).name).c_str(), found.wrongPercent(), found.wrong, found.wrongFarOff,
                 found.worstDistance);
     // Where edges run through texels' centres, drivers that divide by multiplying decide otherwise than the trace.
-    // A leaf ends within its triangle, where GPUs weigh a texture's texels in steps of 1/256.
-    const std::size_t ofLeaves = scene.name == "builtin:garden" ? found.wrongFarOff : 0;
+    // A leaf ends within its triangle, where GPUs weigh a texture's texels in steps of 1/256: 1 of 6,144 was found.
+    const std::size_t ofLeaves =
+        scene.name == "builtin:garden" ? std::min(found.wrongFarOff, found.texels / 2000) : 0;
     const std::size_t undecided = tests::isSoftwareRasteriser() ? 0 : found.ties + ofLeaves;
     CHECK(static_cast<double>(found.wrong - undecided) <= 1e-4 * static_cast<double>(found.texels));
     CHECK(found.wrongFarOff == 0 || (!tests::isSoftwareRasteriser() && found.wrongFarOff <= ofLeaves));

@@ -5,6 +5,8 @@
 
 #include <mirrorball/headless/context.h>
 
+#include <epoxy/gl.h>
+
 #include <cmath>
 #include <cstdio>
 
@@ -18,7 +20,19 @@ struct Result
     std::vector<float> hidden; // distances
 };
 
-Result captureTwoLayers(const examples::GlScene& scene, const std::vector<CaptureMesh>& meshes)
+// What engines do that keep no state between draws.
+void unbindTexturesOfAllUnits()
+{
+    GLint units = 0;
+    glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
+    for (GLint unit = 0; unit < units; ++unit) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    }
+}
+
+Result captureTwoLayers(const examples::GlScene& scene, const std::vector<CaptureMesh>& meshes,
+                        bool unbinds = false)
 {
     ReflectionProbe probe({.map = MapKind::tennisBall,
                            .n = 48,
@@ -29,6 +43,8 @@ Result captureTwoLayers(const examples::GlScene& scene, const std::vector<Captur
     Result result;
     result.report = probe.capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
         scene.drawMesh(mesh.id, draw.program, {}, 1, draw.primitive);
+        if (unbinds)
+            unbindTexturesOfAllUnits();
     });
     result.hidden = tests::readMap(probe.map().hiddenDistanceTexture, MapKind::tennisBall, 48);
     return result;
@@ -46,6 +62,7 @@ void checkCrowd()
                mesh.bounds->radius > 0.09f * glm::length(mesh.bounds->centre);
     });
     const Result some = captureTwoLayers(drawable, meshes);
+    CHECK(captureTwoLayers(drawable, meshes, true).hidden == some.hidden);
     for (CaptureMesh& mesh : meshes) {
         CHECK(scene.meshes[mesh.id].name != "walls" || mesh.nearestDistance > 13.9f);
         mesh.nearestDistance.reset(); // the walls' sphere holds the probe: nothing is known

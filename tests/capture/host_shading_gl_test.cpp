@@ -80,6 +80,7 @@ void main() { colour = vec4(texture(levels, positionInWorld.xy).x, 0.0, 0.0, 1.0
         if (isNvidia())
             high += 0.5;
         const auto level = static_cast<double>(texel.colour.x);
+        CHECK(std::isfinite(level));
         worst = std::max({worst, low - level, level - high});
         ++judged;
     }

@@ -71,7 +71,9 @@ struct CaptureMesh
     bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
 };
 
-// What the host's draw callback is told. The program is in use and the library's uniforms are set.
+// What the host's draw callback is told. The program is in use and the library's uniforms are set. Framebuffer, viewport,
+// culling and the like are set once for all draws into a view: the callback may change vertex arrays, buffers, textures,
+// samplers, its own uniforms and the current program, and leaves the rest as it is (docs/gl_state.md).
 struct CaptureDraw
 {
     unsigned int program; // GL name, to set the host's own uniforms on
