@@ -189,10 +189,6 @@ ReflectionProbe::Implementation::planOf(std::span<const CaptureMesh> meshes) con
 
 void ReflectionProbe::Implementation::compile(const Plan& plan, std::span<const CaptureMesh> meshes) const
 {
-    // Errors of a program show in the first capture, also where its meshes are out of sight.
-    for (const CaptureMesh& mesh : meshes)
-        if (mesh.program->implementation().programs.empty())
-            mesh.program->implementation().program(frame.variantOf(mesh, together() ? -1 : 0, peeling));
     for (const PlannedView& planned : plan)
         for (const PlannedDraw& each : planned.draws) {
             CaptureProgram::Implementation& program = meshes[each.mesh].program->implementation();
@@ -202,6 +198,11 @@ void ReflectionProbe::Implementation::compile(const Plan& plan, std::span<const 
             if (variant.hides)
                 program.program(variant);
         }
+    // Errors of a program show in the first capture, also where all its meshes are out of sight.
+    for (const CaptureMesh& mesh : meshes)
+        if (CaptureProgram::Implementation& program = mesh.program->implementation();
+            program.programs.empty())
+            program.program(frame.variantOf(mesh, 0, peeling));
 }
 
 void ReflectionProbe::Implementation::draw(const Plan& plan, std::span<const CaptureMesh> meshes,
