@@ -396,6 +396,13 @@ void checkRefused(const tests::SixWalls& walls)
     mesh.bounds = Sphere{glm::vec3(0.0f), -1.0f};
     const auto draw = [](const CaptureMesh&, const CaptureDraw&) { CHECK(!"drawn"); };
     CHECK_THROWS(probe.capture({&mesh, 1}, draw), ErrorKind::badArgument);
+    // Out of sight, and yet compiled.
+    CaptureProgram broken(
+        {.vertexSource = tests::plainVertex,
+         .fragmentSource = "#version 330 core\nout vec4 c;\nvoid main() { c = nothing; }\n"});
+    mesh.bounds = Sphere{glm::vec3(1000.0f, 0.0f, 0.0f), 1.0f};
+    mesh.program = &broken;
+    CHECK_THROWS(probe.capture({&mesh, 1}, draw), ErrorKind::badShader);
     mesh.program = nullptr;
     CHECK_THROWS(probe.capture({&mesh, 1}, draw), ErrorKind::badArgument);
 }
