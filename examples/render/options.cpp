@@ -168,6 +168,10 @@ void requireAllowed(const Options& options)
     requireFinite(options.look.value_or(glm::dvec3(0.0)), "--look");
     requireFinite(options.proxyLow.value_or(glm::dvec3(0.0)), "--proxy-low");
     requireFinite(options.proxyHigh.value_or(glm::dvec3(0.0)), "--proxy-high");
+    if (options.proxyLow && options.proxyHigh &&
+        !glm::all(glm::lessThan(*options.proxyLow, *options.proxyHigh)))
+        throw Error(ErrorKind::badArgument, "--proxy-low and --proxy-high",
+                    "the lower corner is not below the upper one in x, y and z", "give the box's corners so");
     requireFinite(options.up, "--up");
     if (!(options.fov > 0.0 && options.fov < 180.0))
         throw Error(ErrorKind::badArgument, "--fov", "it is not between 0 and 180 degrees", "try 45");

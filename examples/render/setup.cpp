@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -122,10 +121,6 @@ glm::dmat4 proxyOf(const Options& options, const Scene& scene)
             box.add(glm::dvec3(position));
     box.low = options.proxyLow.value_or(box.low);
     box.high = options.proxyHigh.value_or(box.high);
-    if ((options.proxyLow || options.proxyHigh) && !glm::all(glm::lessThan(box.low, box.high)))
-        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--proxy-low and --proxy-high",
-                                "the lower corner is not below the upper one in x, y and z",
-                                "the one that is not given is the scene's");
     const glm::dvec3 half = box.halfExtent();
     glm::dmat4 worldFromProxy(1.0);
     for (int axis = 0; axis < 3; ++axis)

@@ -195,7 +195,6 @@ void testRender(const Subject& render, const BadScenes& scenes)
                                 {"--tint", "0,0,nan"},
                                 {"--tint", "1,-0.5,1"},
                                 {"--proxy-low", "1,1,1", "--proxy-high", "1,2,2"},
-                                {"--proxy-low", "1000,0,0"},
                                 {"--pixels", "0x10"},
                                 {"--pixels", "-5x10"},
                                 {"--pixels", "100000x100000"},
