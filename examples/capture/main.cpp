@@ -166,6 +166,8 @@ void run(const Options& options)
     requireRange(options.near, options.far);
     requireFinite(options.at, "--at");
     requireFinite(options.turn, "--probe-turn");
+    for (int component = 0; component < mirrorball::mapInfo(options.map).components; ++component)
+        requireApart(options.stats, {fileName(options, component)});
     const Scene scene = sceneOf(options);
     Stats stats;
     stats.add("scene", options.scene);

@@ -60,6 +60,16 @@ void Stats::write(const std::filesystem::path& path) const
                                 "the file cannot be written", "name a place that can");
 }
 
+void requireApart(const std::filesystem::path& stats, const std::vector<std::filesystem::path>& others)
+{
+    std::error_code ignored;
+    const std::filesystem::path asked = std::filesystem::weakly_canonical(stats, ignored);
+    for (const std::filesystem::path& other : others)
+        if (!stats.empty() && asked == std::filesystem::weakly_canonical(other, ignored))
+            throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--stats " + stats.string(),
+                                    "'" + other.string() + "' is written there", "name another file");
+}
+
 void writeWithStats(const Stats& stats, const std::filesystem::path& path,
                     const std::function<void()>& writeFiles)
 {

@@ -22,6 +22,9 @@ private:
     std::vector<std::pair<std::string, std::string>> entries_; // values as JSON spells them
 };
 
+// Throws Error badArgument where statistics would be written over another file of a program's.
+void requireApart(const std::filesystem::path& stats, const std::vector<std::filesystem::path>& others);
+
 // Writes the statistics (nowhere for an empty path) and then the other files: all of it or nothing.
 void writeWithStats(const Stats& stats, const std::filesystem::path& path,
                     const std::function<void()>& writeFiles);

@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "command_line.h"
+#include "stats.h"
 
 #include <mirrorball/error.h>
 
@@ -57,9 +58,7 @@ void requireOutput(const Options& options)
                     "its extension is neither .png nor .exr", "name it so");
     if (options.view == View::position && extension == ".png")
         throw Error(ErrorKind::badArgument, "--view position", "a PNG cannot hold it", "write an .exr");
-    if (options.stats == options.output)
-        throw Error(ErrorKind::badArgument, "--stats " + options.stats, "the picture is of that name",
-                    "name another");
+    requireApart(options.stats, {options.output});
 }
 
 } // namespace

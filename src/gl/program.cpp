@@ -4,6 +4,8 @@
 
 #include <epoxy/gl.h>
 
+#include <sstream>
+
 namespace mirrorball::gl {
 
 namespace {
@@ -16,13 +18,26 @@ std::string trimmed(std::string log)
     return log;
 }
 
+// Warnings of a shader that has errors, too, hide these.
+std::string withoutWarnings(const std::string& log)
+{
+    if (log.find("error") == std::string::npos)
+        return log;
+    std::istringstream lines(log);
+    std::string kept;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find("warning") == std::string::npos)
+            kept += (kept.empty() ? "" : "\n") + line;
+    return kept;
+}
+
 std::string shaderLog(GLuint shader)
 {
     GLint length = 0;
     glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<std::size_t>(length), '\0');
     glGetShaderInfoLog(shader, length, nullptr, log.data());
-    return trimmed(log);
+    return withoutWarnings(trimmed(log));
 }
 
 std::string programLog(GLuint program)

@@ -213,8 +213,8 @@ void testRender(const Subject& render, const BadScenes& scenes)
     for (const char* const name : {"picture", "picture.jpg", "picture.png.txt"})
         render.refusesExactly(failed, {"builtin:cards", "-o", folder / name});
     render.refusesExactly(failed, {"builtin:cards", "--view", "position", "-o", folder / "picture.png"});
-    render.refusesExactly(failed,
-                          {"builtin:cards", "-o", folder / "picture.png", "--stats", folder / "picture.png"});
+    render.refusesExactly(
+        failed, {"builtin:cards", "-o", folder / "picture.png", "--stats", folder / "./picture.png"});
     CHECK(folder.fileCount() == 0);
 }
 
@@ -261,6 +261,9 @@ void testHalfAMap(const Subject& capture)
     CHECK(folder.fileCount() == 1);
     std::filesystem::create_directory(folder / "maps");
     capture.refusesExactly(failed, {"builtin:cards", "--size", "16", "-o", folder / "maps/"});
+    CHECK(std::filesystem::is_empty(folder / "maps"));
+    capture.refusesExactly(failed, {"builtin:cards", "--size", "16", "-o", folder / "maps/a", "--stats",
+                                    folder / "maps/a_1.exr"});
     CHECK(std::filesystem::is_empty(folder / "maps"));
 }
 
