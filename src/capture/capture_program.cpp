@@ -2,6 +2,8 @@
 
 #include "capture/cover.h"
 #include "capture/glsl_words.h"
+#include "capture/varyings_glsl.h"
+#include "capture/varyings_room.h"
 #include "capture/views.h"
 #include "capture_shaders.h"
 #include "gl/context.h"

@@ -13,6 +13,15 @@ namespace mirrorball::capture {
 
 namespace {
 
+template <class Enumeration>
+void requireOneOf(Enumeration value, Enumeration last, const std::string& asked, const std::string& type)
+{
+    if (static_cast<int>(value) < 0 || value > last)
+        throw Error(ErrorKind::badArgument, asked,
+                    "there is none of the number " + std::to_string(static_cast<int>(value)),
+                    "take one of " + type + "'s");
+}
+
 void requirePossibleMethod(const ReflectionProbe::Desc& desc)
 {
     if (!(desc.epsilon > 0.0f))
@@ -35,9 +44,11 @@ void requirePossibleMethod(const ReflectionProbe::Desc& desc)
 
 void requirePossible(const ReflectionProbe::Desc& desc)
 {
-    if (static_cast<std::size_t>(desc.map) >= maps().size())
-        throw Error(ErrorKind::badArgument, "a probe's map", "there is none of this number",
-                    "take one of MapKind's");
+    requireOneOf(desc.map, maps().back().kind, "a probe's map", "MapKind");
+    requireOneOf(desc.method, CaptureMethod::tessellated, "a probe's method", "CaptureMethod");
+    requireOneOf(desc.layers, LayerOrder::allAtOnce, "a probe's order of layers", "LayerOrder");
+    requireOneOf(desc.depthTerm, DepthTerm::textbook, "a probe's depth term", "DepthTerm");
+    requireOneOf(desc.colour, ColourFormat::rgba8, "a probe's colour format", "ColourFormat");
     requireFinite(desc.captureOrigin, "a capture origin");
     gl::requireContext();
     requireMapSize(desc.map, desc.n, desc.supersample);

@@ -1,12 +1,8 @@
-// What the host's vertex shader hands to its fragment shader, and how capture programs carry it past the
-// geometry stage.
+// What the host's vertex shader hands to its fragment shader, and what that one writes.
 #pragma once
 
 #include "capture/host_shader.h"
 
-#include <mirrorball/maps/maps.h>
-
-#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +33,9 @@ struct Varying
 
 std::vector<Varying> varyingsOf(const HostShader& vertex, const HostShader& fragment);
 
+// What stands before its type: "flat ", "noperspective centroid ".
+std::string qualifiers(const Varying& varying);
+
 // The output that receives the colour, and all others: those are written to nowhere.
 struct Outputs
 {
@@ -52,40 +51,5 @@ enum class Carriage {
     copied, // through a geometry shader, vertex by vertex
     exact   // all three vertices' at once, flat; interpolated in the fragment stage
 };
-
-// What the library's own varyings take beside the host's, in scalars, gl_Position, gl_Layer and gl_PrimitiveID included.
-int ownScalars(Carriage carriage);
-
-// Scalars that the geometry stage writes a vertex (that the vertex stage writes, for direct carriage).
-int scalarsOf(std::span<const Varying> varyings, Carriage carriage);
-
-// Throws Error badShader, which names the varying, where the driver has no room for one or it is of a type
-// that cannot be carried. vertices: how many the geometry stage writes at least for one triangle.
-void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices,
-                 const std::string& programName);
-
-// Drivers may waste room: NVIDIA's lays a vec3 where a vec4 would go. Throws Error badShader with the host's name for the
-// varying that a linker says it has no resource for, of packed ones for the last.
-void requireNoneWithoutResource(const std::vector<Varying>& varyings, Carriage carriage,
-                                const std::string& linkError, const std::string& programName);
-
-// Whether the driver has room.
-bool hasRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices);
-
-// Declarations of the geometry stage and the function copyVaryings that hands on those of a corner (copied)
-// or of all three (exact).
-std::string geometryVaryings(const std::vector<Varying>& varyings, Carriage carriage);
-
-// Declarations of the tessellation stages and their functions copyVaryings and mixVaryings.
-std::string controlVaryings(const std::vector<Varying>& varyings);
-std::string evaluationVaryings(const std::vector<Varying>& varyings);
-
-// Declarations of the fragment stage behind a geometry stage and the function readVaryings, which sets the
-// host's globals.
-std::string fragmentVaryings(const std::vector<Varying>& varyings, Carriage carriage);
-
-// The function fromCentre, which tells where a fragment of a mapped mesh lies from the probe's centre, in some frame:
-// from a varying of the host's with the position relative to captureOrigin, or from the library's own (null).
-std::string fragmentPosition(const Varying* position);
 
 } // namespace mirrorball::capture

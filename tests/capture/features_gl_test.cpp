@@ -12,7 +12,6 @@
 #include <mirrorball/headless/context.h>
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <random>
 #include <set>
@@ -30,24 +29,10 @@ struct Image
 
 Image read(const ReflectionMap& map)
 {
-    Image image;
-    const MapInfo& info = mapInfo(map.map);
-    for (int layer = 0; layer < info.components; ++layer) {
-        const auto append = [&](std::vector<float>& to, unsigned int texture) {
-            const auto texels =
-                tests::readTextureLayer(texture, layer, info.widthInN * map.n, info.heightInN * map.n);
-            to.insert(to.end(), texels.begin(), texels.end());
-        };
-        append(image.colour, map.colourTexture);
-        if (map.distanceTexture != 0)
-            append(image.distance, map.distanceTexture);
-    }
+    Image image{tests::readMap(map.colourTexture, map.map, map.n), {}};
+    if (map.distanceTexture != 0)
+        image.distance = tests::readMap(map.distanceTexture, map.map, map.n);
     return image;
-}
-
-bool sameBits(const std::vector<float>& a, const std::vector<float>& b)
-{
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
 void checkUnchanged(const std::function<void()>& call, const char* what)
@@ -132,8 +117,8 @@ void checkViews(const tests::SixWalls& walls, MapKind map, LayerOrder layers)
     for (const int id : first)
         CHECK(ids.count(id) == 2);
     CHECK(report.draws == static_cast<int>(views));
-    CHECK(sameBits(read(listed.map()).colour, read(own.map()).colour));
-    CHECK(sameBits(read(listed.map()).distance, read(own.map()).distance));
+    CHECK(tests::sameBits(read(listed.map()).colour, read(own.map()).colour));
+    CHECK(tests::sameBits(read(listed.map()).distance, read(own.map()).distance));
 
     // Without bounds, exactly: where the walls' fine cuts change nothing, the same colours.
     own.capture([&](CaptureView& view) {
@@ -145,52 +130,6 @@ void checkViews(const tests::SixWalls& walls, MapKind map, LayerOrder layers)
     const Image exact = read(own.map());
     for (std::size_t texel = 0; texel < exact.distance.size(); texel += 4)
         CHECK(std::isfinite(exact.distance[texel]));
-}
-
-// What draws of a view have in common is set once. It holds for the next draw where the callback ends with no program, and
-// captures with another probe and the same program meanwhile; where meshes differ in culling; and is the same that a host
-// gets that has everything set for each draw.
-void checkDrawsInARow(const tests::WallPatches& walls, const tests::CapturePath& path)
-{
-    CaptureProgram program({.vertexSource = tests::plainVertex, .fragmentSource = R"(#version 330 core
-in vec3 positionInWorld;
-out vec4 colour;
-void main() { colour = vec4(positionInWorld, gl_FrontFacing ? 1.0 : 0.5); }
-)"});
-    std::vector<CaptureMesh> meshes = tests::WallPatches::meshes(program);
-    for (std::size_t index = 0; index < meshes.size(); index += 2)
-        meshes[index].cullBackFaces = true; // of every second wall all are seen from behind
-    ReflectionProbe quiet(tests::descOf(path)), busy(tests::descOf(path)), own(tests::descOf(path));
-    ReflectionProbe::Desc desc = tests::descOf(path, 4);
-    desc.worldFromProbe[3] = glm::dvec4(0.3, 0.2, -0.1, 1.0);
-    ReflectionProbe other(desc);
-    const auto draw = [&](const CaptureMesh& mesh, const CaptureDraw& asked) {
-        walls.draw(mesh.id, asked.primitive);
-    };
-    quiet.capture(meshes, draw);
-    busy.capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& asked) {
-        draw(mesh, asked);
-        if (mesh.id % 8 == 0)
-            other.capture(std::span(meshes).first(3), draw);
-        glUseProgram(0);
-    });
-    own.capture([&](CaptureView& view) {
-        for (const CaptureMesh& mesh : meshes)
-            if (view.touches(*mesh.bounds)) {
-                view.use(mesh);
-                walls.draw(mesh.id, path.method == CaptureMethod::tessellated ? GL_PATCHES : GL_TRIANGLES);
-            }
-    });
-    const Image expected = read(own.map());
-    CHECK(std::ranges::count_if(expected.distance, [](float d) { return std::isinf(d); }) > 0);
-    for (const ReflectionProbe* const probe : {&quiet, &busy}) {
-        if (!sameBits(read(probe->map()).colour, expected.colour))
-            std::printf("%s, method %d, layers %d: %s\n", std::string(mapInfo(path.map).name).c_str(),
-                        static_cast<int>(path.method), static_cast<int>(path.layers),
-                        probe == &quiet ? "quiet" : "busy");
-        CHECK(sameBits(read(probe->map()).colour, expected.colour));
-        CHECK(sameBits(read(probe->map()).distance, expected.distance));
-    }
 }
 
 // A view never misses what it sees: directions to points of a box belong to views that say they touch it. And
@@ -257,8 +196,8 @@ void checkBorrowed(const tests::SixWalls& walls, MapKind map, int supersample)
         CHECK(probe.map().colourTexture == desc.colourTexture && probe.map().nearestLevel == 0);
         CHECK(probe.map().distanceTexture == desc.distanceTexture);
         checkUnchanged([&] { capture(probe, walls); }, "a borrowed map");
-        CHECK(sameBits(read(own.map()).colour, read(probe.map()).colour));
-        CHECK(sameBits(read(own.map()).distance, read(probe.map()).distance));
+        CHECK(tests::sameBits(read(own.map()).colour, read(probe.map()).colour));
+        CHECK(tests::sameBits(read(own.map()).distance, read(probe.map()).distance));
         // A capture that throws leaves the host's textures as they were.
         const CaptureMesh mesh = walls.mesh();
         try {
@@ -266,7 +205,7 @@ void checkBorrowed(const tests::SixWalls& walls, MapKind map, int supersample)
             CHECK(false);
         } catch (int) {
         }
-        CHECK(sameBits(read(own.map()).colour, read(probe.map()).colour));
+        CHECK(tests::sameBits(read(own.map()).colour, read(probe.map()).colour));
     }
     CHECK(glIsTexture(desc.colourTexture) == GL_TRUE); // still the host's
 
@@ -347,15 +286,15 @@ void checkTakenOver(GLenum target, tests::HostileState& hostile)
         expected.insert(expected.end(), texels.begin(), texels.end());
     }
     checkUnchanged([&] { probe.takeOver(sides, kind); }, "taking over");
-    CHECK(sameBits(read(probe.map()).colour, expected));
+    CHECK(tests::sameBits(read(probe.map()).colour, expected));
     CHECK(probe.map().distanceTexture == 0 && probe.map().nearestLevel == 0);
     for (const std::string& name : hostile.names()) {
         hostile.apply({name});
         checkUnchanged([&] { probe.takeOver(sides, kind); }, name.c_str());
         hostile.undo();
-        if (!sameBits(read(probe.map()).colour, expected))
+        if (!tests::sameBits(read(probe.map()).colour, expected))
             std::printf("%s: another image\n", name.c_str());
-        CHECK(sameBits(read(probe.map()).colour, expected));
+        CHECK(tests::sameBits(read(probe.map()).colour, expected));
     }
     auto wrong = sides;
     wrong[5] = makeTexture(target, GL_RGBA32F, n + 1, n, 0, nullptr);
@@ -369,7 +308,7 @@ void checkTakenOver(GLenum target, tests::HostileState& hostile)
     refused(probe, kind == SideTarget::texture2d ? SideTarget::rectangle : SideTarget::texture2d);
     ReflectionProbe tennisBall(descOf(MapKind::tennisBall));
     refused(tennisBall, kind);
-    CHECK(sameBits(read(probe.map()).colour, expected)); // the last good map
+    CHECK(tests::sameBits(read(probe.map()).colour, expected)); // the last good map
     glDeleteTextures(6, sides.data());
 }
 
@@ -384,6 +323,10 @@ void checkLimits()
     desc.supersample = 4;
     CHECK_THROWS(ReflectionProbe{desc}, ErrorKind::badArgument);
     CHECK_THROWS(ReflectionProbe({.map = static_cast<MapKind>(99)}), ErrorKind::badArgument);
+    CHECK_THROWS(ReflectionProbe({.method = static_cast<CaptureMethod>(-1)}), ErrorKind::badArgument);
+    CHECK_THROWS(ReflectionProbe({.layers = static_cast<LayerOrder>(2)}), ErrorKind::badArgument);
+    CHECK_THROWS(ReflectionProbe({.depthTerm = static_cast<DepthTerm>(2)}), ErrorKind::badArgument);
+    CHECK_THROWS(ReflectionProbe({.colour = static_cast<ColourFormat>(77)}), ErrorKind::badArgument);
 }
 
 // What a capture refuses, before it draws anything.
@@ -427,9 +370,6 @@ int main(int argc, char** argv)
         checkBoxes(info.kind);
         checkBorrowed(walls, info.kind, info.components == 1 ? 2 : 1);
     }
-    const tests::WallPatches patches;
-    for (const tests::CapturePath& path : tests::capturePaths())
-        checkDrawsInARow(patches, path);
     checkTakenOver(GL_TEXTURE_2D, hostile);
     checkTakenOver(GL_TEXTURE_RECTANGLE, hostile);
     checkLimits();

@@ -15,7 +15,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
 using namespace mirrorball;
 
@@ -31,11 +30,6 @@ std::vector<float> image(const ReflectionProbe& probe)
         all.insert(all.end(), texels.begin(), texels.end());
     }
     return all;
-}
-
-bool sameBits(const std::vector<float>& a, const std::vector<float>& b)
-{
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
 void report(const std::vector<std::string>& changes, const std::string& when)
@@ -71,7 +65,7 @@ void checkHostile(Fixture& fixture, tests::HostileState& hostile, const std::vec
     hostile.apply(chosen);
     report(tests::changesBy([&] { fixture.capture(); }), name);
     hostile.undo();
-    if (!sameBits(image(fixture.probe), fixture.expected)) {
+    if (!tests::sameBits(image(fixture.probe), fixture.expected)) {
         std::printf("%s: another image\n", name.c_str());
         CHECK(false);
     }
@@ -92,7 +86,7 @@ void checkRefusals(Fixture& fixture, tests::HostileState& hostile)
                }
            }),
            "a callback that throws");
-    CHECK(sameBits(image(fixture.probe), fixture.expected)); // the last good map stays
+    CHECK(tests::sameBits(image(fixture.probe), fixture.expected)); // the last good map stays
 
     const auto reentrant = [&](const CaptureMesh&, const CaptureDraw&) {
         CHECK_THROWS(fixture.capture(), ErrorKind::hostBusy);
@@ -111,7 +105,7 @@ void checkRefusals(Fixture& fixture, tests::HostileState& hostile)
     report(tests::changesBy([&] { CHECK_THROWS(fixture.capture(), ErrorKind::hostBusy); }),
            "transform feedback");
     hostile.undo();
-    CHECK(sameBits(image(fixture.probe), fixture.expected));
+    CHECK(tests::sameBits(image(fixture.probe), fixture.expected));
 }
 
 void checkDescs()

@@ -14,7 +14,6 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cstring>
 #include <random>
 
 using namespace mirrorball;
@@ -259,11 +258,6 @@ std::size_t holes(const std::vector<float>& image)
     return count;
 }
 
-bool sameBits(const std::vector<float>& a, const std::vector<float>& b)
-{
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
-}
-
 // From random points, the shape moved and turned so that its vertices are unfriendly numbers.
 void checkClosed(Program& program, const Drawable& drawable, MapKind map, int points, std::mt19937& generator)
 {
@@ -311,11 +305,12 @@ void checkSendings(Program& program, const Drawable& drawable, MapKind map, Capt
         CHECK(holes(expected) == 0);
         for (std::size_t texel = 0; texel < expected.size() / 8; ++texel)
             CHECK(expected[4 * texel + 3] == 1.0f); // front faces only
-        CHECK(sameBits(program.capture(probe, drawable, around, true, Sending::indexed), expected));
+        CHECK(tests::sameBits(program.capture(probe, drawable, around, true, Sending::indexed), expected));
     }
     for (const Sending sending : {Sending::arrays, Sending::strips, Sending::instanced})
-        CHECK(sameBits(program.capture(probe, drawable, around, false, sending), expected));
-    CHECK(sameBits(program.capture(probe, drawable, around, false, Sending::indexed, 0.0f, false), expected));
+        CHECK(tests::sameBits(program.capture(probe, drawable, around, false, sending), expected));
+    CHECK(tests::sameBits(program.capture(probe, drawable, around, false, Sending::indexed, 0.0f, false),
+                          expected));
 
     // Its vertices displaced, within bounds that hold for that.
     if (isStraight)

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 
 namespace tests {
@@ -218,6 +219,11 @@ std::vector<float> readMap(GLuint texture, mirrorball::MapKind map, int n)
         all.insert(all.end(), texels.begin(), texels.end());
     }
     return all;
+}
+
+bool sameBits(const std::vector<float>& a, const std::vector<float>& b)
+{
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
 } // namespace tests

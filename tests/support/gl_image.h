@@ -62,4 +62,7 @@ std::vector<float> readTextureLayer(GLuint texture, int layer, int width, int he
 // The same of all layers of a map of that size, one after another.
 std::vector<float> readMap(GLuint texture, mirrorball::MapKind map, int n);
 
+// NaN equals itself, and -0 is not 0.
+bool sameBits(const std::vector<float>& a, const std::vector<float>& b);
+
 } // namespace tests

@@ -24,6 +24,13 @@ void undoScissor(const HostObjects& host)
     glScissor(host.scissor[0], host.scissor[1], host.scissor[2], host.scissor[3]);
 }
 
+template <GLenum capability>
+constexpr HostileEntry switchedOn(const char* name, Gate gate)
+{
+    return {name, gate, [](const HostObjects&) { glEnable(capability); },
+            [](const HostObjects&) { glDisable(capability); }};
+}
+
 constexpr HostileEntry entries[] = {
     {"viewport of one pixel", always, [](const HostObjects&) { glViewport(3, 2, 1, 1); }, undoViewport},
     {"viewports all different", viewportArray,
@@ -70,8 +77,7 @@ constexpr HostileEntry entries[] = {
          for (GLuint i = 0; i < static_cast<GLuint>(limit(GL_MAX_CLIP_DISTANCES)); ++i)
              glDisable(GL_CLIP_DISTANCE0 + i);
      }},
-    {"rasteriser discard", always, [](const HostObjects&) { glEnable(GL_RASTERIZER_DISCARD); },
-     [](const HostObjects&) { glDisable(GL_RASTERIZER_DISCARD); }},
+    switchedOn<GL_RASTERIZER_DISCARD>("rasteriser discard", always),
     {"front and back culled", always,
      [](const HostObjects&) {
          glEnable(GL_CULL_FACE);
@@ -113,9 +119,7 @@ constexpr HostileEntry entries[] = {
          glDisable(GL_PRIMITIVE_RESTART);
          glPrimitiveRestartIndex(0);
      }},
-    {"primitive restart at the fixed index", es3Compatibility,
-     [](const HostObjects&) { glEnable(GL_PRIMITIVE_RESTART_FIXED_INDEX); },
-     [](const HostObjects&) { glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX); }},
+    switchedOn<GL_PRIMITIVE_RESTART_FIXED_INDEX>("primitive restart at the fixed index", es3Compatibility),
     {"patch parameters", tessellation,
      [](const HostObjects&) {
          constexpr GLfloat outer[] = {5.0f, 6.0f, 7.0f, 8.0f};
@@ -163,18 +167,10 @@ constexpr HostileEntry entries[] = {
          glWindowRectanglesEXT(GL_INCLUSIVE_EXT, 1, box);
      },
      [](const HostObjects&) { glWindowRectanglesEXT(GL_EXCLUSIVE_EXT, 0, nullptr); }},
-    {"rasterised as if multisampled", rasterMultisample,
-     [](const HostObjects&) { glEnable(GL_RASTER_MULTISAMPLE_EXT); },
-     [](const HostObjects&) { glDisable(GL_RASTER_MULTISAMPLE_EXT); }},
-    {"conservative rasterisation (NVIDIA)", conservativeNvidia,
-     [](const HostObjects&) { glEnable(GL_CONSERVATIVE_RASTERIZATION_NV); },
-     [](const HostObjects&) { glDisable(GL_CONSERVATIVE_RASTERIZATION_NV); }},
-    {"conservative rasterisation (Intel)", conservativeIntel,
-     [](const HostObjects&) { glEnable(GL_CONSERVATIVE_RASTERIZATION_INTEL); },
-     [](const HostObjects&) { glDisable(GL_CONSERVATIVE_RASTERIZATION_INTEL); }},
-    {"shading rate from an image", shadingRateImage,
-     [](const HostObjects&) { glEnable(GL_SHADING_RATE_IMAGE_NV); },
-     [](const HostObjects&) { glDisable(GL_SHADING_RATE_IMAGE_NV); }},
+    switchedOn<GL_RASTER_MULTISAMPLE_EXT>("rasterised as if multisampled", rasterMultisample),
+    switchedOn<GL_CONSERVATIVE_RASTERIZATION_NV>("conservative rasterisation (NVIDIA)", conservativeNvidia),
+    switchedOn<GL_CONSERVATIVE_RASTERIZATION_INTEL>("conservative rasterisation (Intel)", conservativeIntel),
+    switchedOn<GL_SHADING_RATE_IMAGE_NV>("shading rate from an image", shadingRateImage),
     {"primitive bounding box", primitiveBounds,
      [](const HostObjects&) { glPrimitiveBoundingBoxARB(0.0f, 0.0f, 0.0f, 1.0f, 0.1f, 0.1f, 0.1f, 1.0f); },
      [](const HostObjects&) {
