@@ -80,7 +80,7 @@ constexpr MapKind otherMaps[] = {MapKind::dualParaboloid, MapKind::cube, MapKind
 // The tables, and what was found to be worse than `infinite`.
 struct Tables
 {
-    std::string tennisBall, others, worse;
+    std::string tennisBall, others, equalTexels, worse;
 };
 
 void judge(const Case& each, Tables& tables)
@@ -96,10 +96,15 @@ void judge(const Case& each, Tables& tables)
         tables.tennisBall += row(isFirst ? name : "", lookup.name, errors);
         if (!tests::neverWorse(errors, infinite))
             tables.worse += "- " + name + ", `" + lookup.name + "`\n";
-        for (const MapKind map : otherMaps)
-            if (isAimedAt && (lookup.lookup == Lookup::distance || lookup.lookup == Lookup::layered))
-                tables.others += row(name + ", " + std::string(mapInfo(map).name), lookup.name,
-                                     judge.judge(map, lookup.lookup));
+        if (!isAimedAt || (lookup.lookup != Lookup::distance && lookup.lookup != Lookup::layered))
+            continue;
+        for (const MapKind map : otherMaps) {
+            const std::string what = name + ", " + std::string(mapInfo(map).name);
+            tables.others += row(what, lookup.name, judge.judge(map, lookup.lookup));
+            if (const int n = tests::sizeOfEqualTexels(map); n != 256)
+                tables.equalTexels +=
+                    row(what + ", n = " + std::to_string(n), lookup.name, judge.judge(map, lookup.lookup, n));
+        }
     }
 }
 
@@ -131,7 +136,9 @@ int main(int argc, char** argv)
         << "\nThe sphere of radius 1 is seen with `--eye 11.4,1.75,-0.7 --fov 65`.\n\n## Tennis-ball map\n\n"
         << head << tables.tennisBall << "\nWorse than `infinite`, by any column but the largest angle: "
         << (tables.worse.empty() ? "nowhere.\n" : "\n\n" + tables.worse) << "\n## Other maps\n\n"
-        << head << tables.others;
+        << head << tables.others
+        << "\n## Other maps with as many texels\n\nAs the tennis-ball map, and the cube, of n = 256.\n\n"
+        << head << tables.equalTexels;
     if (!file.flush()) {
         std::fprintf(stderr, "'%s' cannot be written\n", argv[1]);
         return 1;

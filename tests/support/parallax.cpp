@@ -15,6 +15,7 @@ namespace tests {
 namespace {
 
 using mirrorball::Lookup;
+using mirrorball::MapInfo;
 using mirrorball::MapKind;
 
 double angleInDegrees(const glm::dvec3& a, const glm::dvec3& b)
@@ -62,6 +63,18 @@ render::Options renderOptions(const std::vector<std::string>& words)
     return line.options();
 }
 
+int sizeOfEqualTexels(MapKind map)
+{
+    const auto texels = [](MapKind of, int n) {
+        const MapInfo& info = mirrorball::mapInfo(of);
+        return info.components * info.widthInN * info.heightInN * n * n;
+    };
+    int n = 1;
+    while (texels(map, n + 1) <= texels(MapKind::tennisBall, 256))
+        ++n;
+    return n;
+}
+
 ParallaxJudge::ParallaxJudge(const render::Options& options)
     : options_(options), setup_(render::setupOf(options))
 {
@@ -71,19 +84,21 @@ ParallaxJudge::ParallaxJudge(const render::Options& options)
     colours_ = render::tracePicture(setup_, options_);
 }
 
-render::Picture ParallaxJudge::draw(MapKind map, Lookup lookup, examples::View view) const
+render::Picture ParallaxJudge::draw(const render::Options& options, examples::View view) const
+{
+    render::Options viewed = options;
+    viewed.view = view;
+    examples::Stats unused;
+    return render::drawPicture(setup_, viewed, unused);
+}
+
+ParallaxErrors ParallaxJudge::judge(MapKind map, Lookup lookup, std::optional<int> n) const
 {
     render::Options options = options_;
     options.map = map;
     options.lookup = lookup;
-    options.view = view;
-    examples::Stats unused;
-    return render::drawPicture(setup_, options, unused);
-}
-
-ParallaxErrors ParallaxJudge::judge(MapKind map, Lookup lookup) const
-{
-    return judge(draw(map, lookup, examples::View::position), draw(map, lookup, examples::View::colour));
+    options.size = n.value_or(options.size);
+    return judge(draw(options, examples::View::position), draw(options, examples::View::colour));
 }
 
 ParallaxErrors ParallaxJudge::judge(const render::Picture& drawn, const render::Picture& coloured) const

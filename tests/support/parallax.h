@@ -5,6 +5,7 @@
 #include "draw.h"
 #include "trace.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,8 +71,9 @@ public:
     // `options` as on render's command line; its map, look-up and view do not matter.
     explicit ParallaxJudge(const render::Options& options);
 
-    // As the library draws it, in a context of its own.
-    ParallaxErrors judge(mirrorball::MapKind map, mirrorball::Lookup lookup) const;
+    // As the library draws it, in a context of its own, with the options' size of the map or another one.
+    ParallaxErrors judge(mirrorball::MapKind map, mirrorball::Lookup lookup,
+                         std::optional<int> n = std::nullopt) const;
 
     // The positions that a picture shows, and its colours, drawn by whomever.
     ParallaxErrors judge(const render::Picture& positions, const render::Picture& colours) const;
@@ -79,12 +81,15 @@ public:
     const render::Setup& setup() const { return setup_; }
 
 private:
-    render::Picture draw(mirrorball::MapKind map, mirrorball::Lookup lookup, examples::View view) const;
+    render::Picture draw(const render::Options& options, examples::View view) const;
 
     render::Options options_;
     render::Setup setup_;
     render::Picture positions_, colours_;
 };
+
+// The largest n with which a map has no more texels than the tennis-ball map of n = 256.
+int sizeOfEqualTexels(mirrorball::MapKind map);
 
 // The direction through the middle of a sample of the picture, the top row first.
 glm::dvec3 unitRay(const render::Camera& camera, int x, int y);
