@@ -59,7 +59,7 @@ void bindBorrowed(unsigned int texture, unsigned int target, const MapSize& size
     if (gl::integer(bindingOf(target)) != static_cast<int>(texture)) {
         glGetError(); // the refusal
         throw Error(ErrorKind::badArgument, asked, "the texture is of another target",
-                    "say which target it has");
+                    size.layers > 0 ? "make it a GL_TEXTURE_2D_ARRAY" : "say which target it has");
     }
     const MapSize found = {levelParameter(target, GL_TEXTURE_WIDTH),
                            levelParameter(target, GL_TEXTURE_HEIGHT),
@@ -71,6 +71,15 @@ void bindBorrowed(unsigned int texture, unsigned int target, const MapSize& size
     if (type != GL_FLOAT && type != GL_UNSIGNED_NORMALIZED && type != GL_SIGNED_NORMALIZED)
         throw Error(ErrorKind::badArgument, asked, "its texels are integers or have no red component",
                     "use a format of floats or normalised numbers");
+}
+
+void bindBorrowedDistances(unsigned int texture, const MapSize& size)
+{
+    const std::string asked = "a host's distance texture";
+    bindBorrowed(texture, GL_TEXTURE_2D_ARRAY, size, asked);
+    if (levelParameter(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_RED_TYPE) != GL_FLOAT)
+        throw Error(ErrorKind::badArgument, asked, "its texels end at 1",
+                    "use a format of floats, such as GL_R32F");
 }
 
 void FullScreenPass::prepare()

@@ -51,4 +51,7 @@ private:
 // below the first are not looked at. layers: 0 for a target without.
 void bindBorrowed(unsigned int texture, unsigned int target, const MapSize& size, const std::string& asked);
 
+// The same of a map's distances, which need floats.
+void bindBorrowedDistances(unsigned int texture, const MapSize& size);
+
 } // namespace mirrorball::capture

@@ -37,7 +37,8 @@ void requireComplete(const MapSize& size)
         throw Error(ErrorKind::unsupported,
                     "a framebuffer of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
                         " x " + std::to_string(size.layers),
-                    "the driver answers status " + std::to_string(status),
+                    "the driver cannot draw into it, or has no memory for it (framebuffer status " +
+                        std::to_string(status) + ")",
                     "try a smaller map or another format");
 }
 
@@ -103,7 +104,7 @@ void requireMapSize(MapKind map, int n, int supersample)
     const int limit = largest / std::max(info.widthInN, info.heightInN) / supersample;
     if (n > limit)
         throw Error(ErrorKind::badArgument, asked, "this driver's limit is " + std::to_string(limit),
-                    "ask for that or less");
+                    limit > 0 ? "ask for that or less" : "ask for fewer samples");
 }
 
 gl::Texture makeDepth(const MapSize& size)

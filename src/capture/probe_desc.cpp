@@ -1,6 +1,7 @@
 #include "capture/map_textures.h"
 #include "capture/pose.h"
 #include "capture/probe_implementation.h"
+#include "enumeration.h"
 #include "gl/context.h"
 
 #include <mirrorball/error.h>
@@ -12,15 +13,6 @@
 namespace mirrorball::capture {
 
 namespace {
-
-template <class Enumeration>
-void requireOneOf(Enumeration value, Enumeration last, const std::string& asked, const std::string& type)
-{
-    if (static_cast<int>(value) < 0 || value > last)
-        throw Error(ErrorKind::badArgument, asked,
-                    "there is none of the number " + std::to_string(static_cast<int>(value)),
-                    "take one of " + type + "'s");
-}
 
 void requirePossibleMethod(const ReflectionProbe::Desc& desc)
 {
@@ -52,6 +44,9 @@ void requirePossible(const ReflectionProbe::Desc& desc)
     requireFinite(desc.captureOrigin, "a capture origin");
     gl::requireContext();
     requireMapSize(desc.map, desc.n, desc.supersample);
+    if (desc.colourTexture != 0 && desc.colourTexture == desc.distanceTexture)
+        throw Error(ErrorKind::badArgument, "a map that the host owns", "one texture is given twice",
+                    "give one for colours and one for distances");
     if ((desc.colourTexture == 0) != (desc.distanceTexture == 0))
         throw Error(ErrorKind::badArgument, "a map that the host owns",
                     "only one of its two textures is given", "give colour and distance, or neither");

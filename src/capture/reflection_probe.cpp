@@ -70,7 +70,7 @@ void ReflectionProbe::Implementation::makeTextures()
 {
     if (isBorrowed()) {
         capture::bindBorrowed(desc.colourTexture, GL_TEXTURE_2D_ARRAY, size, "a host's colour texture");
-        capture::bindBorrowed(desc.distanceTexture, GL_TEXTURE_2D_ARRAY, size, "a host's distance texture");
+        capture::bindBorrowedDistances(desc.distanceTexture, size);
     }
     depth = capture::makeDepth(drawSize);
     const gl::Texture* const depthOfTexels = isSupersampled() ? nullptr : &depth;

@@ -1,5 +1,7 @@
 #include <mirrorball/maps/glsl.h>
 
+#include "enumeration.h"
+
 #include <mirrorball/error.h>
 #include <mirrorball/maps/visit.h>
 #include <mirrorball/math/dual.h>
@@ -249,6 +251,8 @@ std::string glslVersionLine(GlslVersion version)
 
 std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix, GlslInputs inputs)
 {
+    mapInfo(map); // throws
+    requireOneOf(version, GlslVersion::es300, "a version of GLSL", "GlslVersion");
     checkPrefix(prefix);
     const FunctionPrinter print(version, prefix, inputs);
     return visitMap(map, [&](auto formula) {
@@ -264,6 +268,7 @@ std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix,
 
 std::string mapDerivativesGlsl(MapKind map, GlslVersion version, const std::string& prefix)
 {
+    mapInfo(map); // throws
     checkPrefix(prefix);
     const FunctionPrinter print(version, prefix, GlslInputs::regular);
     return visitMap(map, [&](auto formula) { return squareDerivativesFunction<decltype(formula)>(print); });

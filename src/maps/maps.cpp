@@ -1,5 +1,7 @@
 #include <mirrorball/maps/maps.h>
 
+#include "enumeration.h"
+
 #include <mirrorball/maps/visit.h>
 
 #include <algorithm>
@@ -70,6 +72,7 @@ std::span<const MapInfo> maps()
 
 const MapInfo& mapInfo(MapKind map)
 {
+    requireOneOf(map, mapList.back().kind, "a map", "MapKind");
     return mapList[static_cast<std::size_t>(map)];
 }
 

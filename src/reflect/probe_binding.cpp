@@ -159,6 +159,7 @@ unsigned int ProbeBinding::Implementation::colourSampler(const ReflectionMap& ma
 ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialSettings& settings) const
 {
     gl::requireContext();
+    mapInfo(map.map); // throws
     const Implementation& self = *implementation_;
     if (glIsTexture(map.colourTexture) != GL_TRUE)
         throw Error(ErrorKind::badArgument, "a binding of a reflection map", "it has no colour texture",

@@ -1,5 +1,6 @@
 #include <mirrorball/reflect/reflection_material.h>
 
+#include "enumeration.h"
 #include "reflect_shaders.h"
 
 #include <mirrorball/maps/measures.h>
@@ -46,9 +47,8 @@ std::string_view shownGlsl(const ReflectionMaterial& material)
 std::string mapsGlsl(const ReflectionMaterial& material)
 {
     // Of the many directions that are looked up, none needs the answers for those that are not regular.
-    std::string text =
-        mapGlsl(material.map, material.version, material.prefix) +
-        mapGlsl(material.map, material.version, material.prefix + "regular_", GlslInputs::regular);
+    std::string text = mapGlsl(material.map, material.version, material.prefix);
+    text += mapGlsl(material.map, material.version, material.prefix + "regular_", GlslInputs::regular);
     if (material.detail != LevelOfDetail::first)
         text += mapDerivativesGlsl(material.map, material.version, material.prefix);
     return text;
@@ -78,6 +78,9 @@ bool infiniteSuffices(MapKind map, int n, double radius, double nearestDistance)
 
 std::string reflectionGlsl(const ReflectionMaterial& material)
 {
+    requireOneOf(material.lookup, Lookup::layered, "a material's look-up", "Lookup");
+    requireOneOf(material.detail, LevelOfDetail::anisotropic, "a material's level of detail",
+                 "LevelOfDetail");
     std::string text(reflect::shaders::uniforms);
     text += shownGlsl(material);
     text += reflect::shaders::sampling;

@@ -222,6 +222,10 @@ void checkBorrowed(const tests::SixWalls& walls, MapKind map, int supersample)
     refused(wrong);
     wrong.distanceTexture = array(GL_R32F, info.widthInN * n + 1);
     refused(wrong);
+    wrong.distanceTexture = array(GL_RGBA8, info.widthInN * n); // no distance beyond 1
+    refused(wrong);
+    wrong.distanceTexture = wrong.colourTexture;
+    refused(wrong);
     for (const unsigned int texture : {desc.colourTexture, desc.distanceTexture})
         glDeleteTextures(1, &texture);
 }

@@ -125,6 +125,17 @@ void checkPrefixes()
         CHECK_THROWS(cube(prefix), ErrorKind::badArgument);
 }
 
+void checkNumbersWithoutName()
+{
+    using mirrorball::ErrorKind, mirrorball::MapKind;
+    for (const int number : {-1, 8, 77}) {
+        const auto map = static_cast<MapKind>(number);
+        CHECK_THROWS(mirrorball::mapInfo(map), ErrorKind::badArgument);
+        CHECK_THROWS(mapGlsl(map, GlslVersion::glsl330), ErrorKind::badArgument);
+        CHECK_THROWS(mapGlsl(MapKind::cube, static_cast<GlslVersion>(number)), ErrorKind::badArgument);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -135,6 +146,7 @@ int main(int argc, char** argv)
     }
     checkThatComplaintsAreSeen();
     checkPrefixes();
+    checkNumbersWithoutName();
     std::size_t index = 0;
     for (const MapInfo& map : mirrorball::maps()) {
         checkGolden(map);

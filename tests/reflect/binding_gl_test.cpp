@@ -8,6 +8,7 @@
 
 #include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
+#include <mirrorball/reflect/image_map.h>
 #include <mirrorball/reflect/probe_binding.h>
 #include <mirrorball/reflect/reflection_material.h>
 
@@ -130,6 +131,21 @@ void checkRefused(tests::HostileState& hostile)
     hostile.undo();
 }
 
+// Numbers that their enumerations do not name.
+void checkNumbersWithoutName()
+{
+    const Fixture fixture(Lookup::infinite);
+    const ProbeBinding binding(fixture.program, firstUnit);
+    ReflectionMap map = fixture.probe.map();
+    map.map = static_cast<MapKind>(77);
+    report(
+        tests::changesBy([&] { CHECK_THROWS(const auto bound = binding.bind(map), ErrorKind::badArgument); }),
+        "a map without a name, bound");
+    CHECK_THROWS(ImageMap(map.map, 4, {}), ErrorKind::badArgument);
+    CHECK_THROWS(reflectionGlsl({.lookup = static_cast<Lookup>(77)}), ErrorKind::badArgument);
+    CHECK_THROWS(reflectionGlsl({.detail = static_cast<LevelOfDetail>(-1)}), ErrorKind::badArgument);
+}
+
 } // namespace
 
 int main()
@@ -139,6 +155,7 @@ int main()
     for (const Lookup lookup : {Lookup::infinite, Lookup::distance, Lookup::layered})
         checkUnderHostileStates(lookup, hostile);
     checkRefused(hostile);
+    checkNumbersWithoutName();
     std::printf("%zu hostile states\n", hostile.names().size());
     return 0;
 }

@@ -2,6 +2,7 @@
 // shader. Which reflectors need no more than Lookup::infinite.
 #include "support/check.h"
 
+#include <mirrorball/error.h>
 #include <mirrorball/reflect/reflection_material.h>
 
 #include <array>
@@ -84,6 +85,7 @@ void testInfiniteSuffices()
     CHECK(!infiniteSuffices(MapKind::cube, 256, 1.1 * texel, 1.0));
     CHECK(infiniteSuffices(MapKind::cube, 256, 0.9, 1.0 / texel));
     CHECK(!infiniteSuffices(MapKind::tennisBall, 256, 0.5, 4.0));
+    CHECK_THROWS(infiniteSuffices(static_cast<MapKind>(-1), 256, 0.5, 4.0), ErrorKind::badArgument);
 }
 
 } // namespace

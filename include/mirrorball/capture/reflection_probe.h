@@ -53,7 +53,8 @@ public:
         // the nearest to the texel's centre.
         int supersample = 1;
         // A map that the host owns: GL_TEXTURE_2D_ARRAY of the map's size, which are borrowed and written to
-        // at the end of a capture. 0: the probe makes its own; `colour` is then the format.
+        // at the end of a capture. 0: the probe makes its own; `colour` is then the format. Distances need floats:
+        // GL_R32F, or GL_R16F where 1/2048 of them is near enough.
         unsigned int colourTexture = 0;
         unsigned int distanceTexture = 0;
         // Mip levels and guard texels for LevelOfDetail and for filtering across borders, in a texture of

@@ -46,6 +46,7 @@ struct MapCoordinate
 
 // All maps, in the order of MapKind.
 MIRRORBALL_EXPORT std::span<const MapInfo> maps();
+// Throws Error badArgument for a number that MapKind has no name for.
 MIRRORBALL_EXPORT const MapInfo& mapInfo(MapKind map);
 MIRRORBALL_EXPORT std::optional<MapKind> mapFromName(std::string_view name);
 
