@@ -2,8 +2,6 @@
 
 #include "support/driver.h"
 
-#include <mirrorball/maps/measures.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -129,11 +127,7 @@ std::vector<int> sizesOf(const SceneChoice& scene, const Options& options)
 
 double worstDiagonal(MapKind map, int n)
 {
-    static std::map<std::pair<MapKind, int>, double> known; // each takes a pass over all texels
-    const auto [entry, isNew] = known.try_emplace({map, n}, 0.0);
-    if (isNew)
-        entry->second = mirrorball::mapMeasures(map, n).worstDiagonal;
-    return entry->second;
+    return measuresOf(map, n).worstDiagonal;
 }
 
 } // namespace
@@ -156,6 +150,15 @@ bool isSameGroup(const Group& a, const Group& b)
 {
     return a.scene == b.scene && a.cubeN == b.cubeN && a.cullBackFaces == b.cullBackFaces &&
            a.isRivalCheck == b.isRivalCheck && a.vertices == b.vertices;
+}
+
+const mirrorball::MapMeasures& measuresOf(MapKind map, int n)
+{
+    static std::map<std::pair<MapKind, int>, mirrorball::MapMeasures> known;
+    const auto [entry, isNew] = known.try_emplace({map, n});
+    if (isNew)
+        entry->second = mirrorball::mapMeasures(map, n);
+    return entry->second;
 }
 
 std::optional<int> equalAngleN(MapKind map, int cubeN)

@@ -5,6 +5,7 @@
 #include "rivals.h"
 
 #include <mirrorball/maps/maps.h>
+#include <mirrorball/maps/measures.h>
 
 #include <optional>
 #include <string>
@@ -63,6 +64,9 @@ struct Options
 // Empty lists mean all, or with quick a selection. Scenes whose file is not there are left out and named in
 // `missing`. Needs a context.
 std::vector<Group> makePlan(const Options& options, std::vector<std::string>& missing);
+
+// mapMeasures, which passes over all texels, kept for the next time.
+const mirrorball::MapMeasures& measuresOf(mirrorball::MapKind map, int n);
 
 // The smallest n of the map with which no texel is wider than the widest of a cube map of n = cubeN; empty
 // for the sphere map, whose rim is infinitely stretched.

@@ -126,7 +126,7 @@ void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& pro
         row.entry = group.entries[index];
         row.sceneTriangles = stage.triangleCount();
         row.sceneVertices = stage.vertexCount();
-        row.measures = mirrorball::mapMeasures(row.entry.map, row.entry.n);
+        row.measures = measuresOf(row.entry.map, row.entry.n);
         row.timing = timings[index];
         row.costBeforeRasteriser = partTimings[index].cost();
         row.work = countWork(*contenders[index]);

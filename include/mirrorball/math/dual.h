@@ -8,6 +8,7 @@
 
 #include <numbers>
 #include <string>
+#include <type_traits>
 
 namespace mirrorball {
 
@@ -65,8 +66,11 @@ struct BasicDual
     }
     friend BasicDual named(const BasicDual& x, const char* name)
     {
-        return {named(x.value, name), named(x.alongU, (std::string(name) + "U").c_str()),
-                named(x.alongV, (std::string(name) + "V").c_str())};
+        if constexpr (std::is_floating_point_v<Real>) // which keeps no name, so that none need be made
+            return x;
+        else
+            return {named(x.value, name), named(x.alongU, (std::string(name) + "U").c_str()),
+                    named(x.alongV, (std::string(name) + "V").c_str())};
     }
 
     friend BasicDual abs(const BasicDual& x) { return select(x.value < Real(0), -x, x); }
