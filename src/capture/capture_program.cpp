@@ -266,7 +266,7 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     result.lineFromDirection = location("lineFromDirection");
     result.cullBackFaces = location("cullBackFaces");
     result.steps = location("steps");
-    result.firstDistance = location("firstDistance");
+    result.firstAround = location("firstAround");
     result.layer = location("layer");
     result.separation = location("separation");
     result.farthest = location("farthest");

@@ -8,7 +8,7 @@
 
 #include <epoxy/gl.h>
 
-#include <glm/vec2.hpp>
+#include <utility>
 
 namespace mirrorball::capture {
 
@@ -134,7 +134,7 @@ void Copies::reduce(const MapTextures& from, const MapTextures& to, const MapSiz
     }
 }
 
-void Copies::gatherNearest(const gl::Texture& distance, const MapSize& size, int level)
+void Copies::beginGather(const gl::Texture& from)
 {
     if (!nearestOfBlock_) {
         nearestOfBlock_ = link(shaders::copyNearest, "", "the nearest of many distances");
@@ -142,29 +142,45 @@ void Copies::gatherNearest(const gl::Texture& distance, const MapSize& size, int
     }
     makeShared();
     glUseProgram(nearestOfBlock_.name());
+    glUniform1i(glGetUniformLocation(nearestOfBlock_.name(), "distances"), 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, from.name());
+    glBindSampler(0, nearest_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, level_.name());
+}
+
+// From the base level of what is bound.
+void Copies::gather(const gl::Texture& to, int level, const MapSize& size)
+{
     const auto location = [&](const char* name) {
         return glGetUniformLocation(nearestOfBlock_.name(), name);
     };
-    glUniform1i(location("distances"), 0);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, distance.name());
-    glBindSampler(0, nearest_.name());
-    glBindFramebuffer(GL_FRAMEBUFFER, level_.name());
+    glUniform2i(location("size"), size.width, size.height);
+    glViewport(0, 0, size.width, size.height);
+    for (int layer = 0; layer < size.layers; ++layer) {
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, to.name(), level, layer);
+        glUniform1i(location("layer"), layer);
+        pass_.draw();
+    }
+}
+
+void Copies::gatherNearest(const gl::Texture& from, const gl::Texture& to, const MapSize& size)
+{
+    beginGather(from);
+    gather(to, 0, size);
+}
+
+void Copies::gatherNearestLevel(const gl::Texture& distance, const MapSize& size, int level)
+{
+    beginGather(distance);
     // In two stages, so that no fragment has to look at thousands of texels.
-    for (const glm::ivec2& stage : {glm::ivec2(0, level / 2), glm::ivec2(level / 2, level)}) {
-        if (stage.x == stage.y)
+    for (const auto& [from, to] : {std::pair(0, level / 2), std::pair(level / 2, level)}) {
+        if (from == to)
             continue;
         // Only the level that is read may be sampled while another one is drawn into.
-        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, stage.x);
-        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, stage.x);
-        const glm::ivec2 to(size.width >> stage.y, size.height >> stage.y);
-        glUniform2i(location("size"), to.x, to.y);
-        glViewport(0, 0, to.x, to.y);
-        for (int layer = 0; layer < size.layers; ++layer) {
-            glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, distance.name(), stage.y, layer);
-            glUniform1i(location("layer"), layer);
-            pass_.draw();
-        }
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, from);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, from);
+        gather(distance, to, {size.width >> to, size.height >> to, size.layers});
     }
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, 0);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, level);

@@ -34,12 +34,17 @@ public:
     void copySide(unsigned int texture, SideTarget target, const MapTextures& to, int layer,
                   const MapSize& size);
 
-    // Fills a level of a distance texture, of so many layers, with the nearest distance of every block of
-    // texels; the levels between are not filled.
-    void gatherNearest(const gl::Texture& distance, const MapSize& size, int level);
+    // Distances into a texture of this size and as many layers: of the block of texels that each one of it covers the
+    // nearest.
+    void gatherNearest(const gl::Texture& from, const gl::Texture& to, const MapSize& size);
+
+    // The same into a level of the texture itself, whose level 0 has this size; the levels between are not filled.
+    void gatherNearestLevel(const gl::Texture& distance, const MapSize& size, int level);
 
 private:
     void makeShared();
+    void beginGather(const gl::Texture& from);
+    void gather(const gl::Texture& to, int level, const MapSize& size);
 
     gl::Program reduce_, nearestOfBlock_, copy2d_, copyRectangle_;
     FullScreenPass pass_;

@@ -1,6 +1,7 @@
 #include "capture/frame.h"
 
 #include "capture/error_law.h"
+#include "capture/map_textures.h"
 #include "capture/pose.h"
 #include "capture/views.h"
 
@@ -127,7 +128,7 @@ Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
     else if (method_ == CaptureMethod::tessellated)
         variant.path = Path::tessellated;
     else if (mesh.bounds && view >= 0 && // a draw into all layers at once has no one view to judge by
-             mappingSuffices(map_, view, seen, n_, epsilon_))
+             mappingSuffices(map_, view, seen, peels ? hiddenN(n_) : n_, epsilon_))
         variant.path = Path::mapped;
     if (variant.path != Path::exact)
         variant.large = false;

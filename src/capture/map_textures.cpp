@@ -6,6 +6,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
 
 namespace mirrorball::capture {
@@ -87,6 +88,11 @@ MapSize mapSize(MapKind map, int n)
     return {info.widthInN * n, info.heightInN * n, info.components};
 }
 
+int hiddenN(int n)
+{
+    return std::max(n / 2, 1);
+}
+
 void requireMapSize(MapKind map, int n, int supersample)
 {
     const std::string asked = "a " + std::string(mapInfo(map).name) + " map of size " + std::to_string(n) +
@@ -112,12 +118,17 @@ gl::Texture makeDepth(const MapSize& size)
     return makeLayers(size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_NEAREST);
 }
 
+gl::Texture makeDistances(const MapSize& size, int lastLevel)
+{
+    return makeLayers(size, GL_R32F, GL_RED, GL_NEAREST, lastLevel);
+}
+
 MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture* depth,
                             int lastDistanceLevel)
 {
     MapTextures result;
     result.colour = makeLayers(size, internalFormat(format), GL_RGBA, GL_LINEAR);
-    result.distance = makeLayers(size, GL_R32F, GL_RED, GL_NEAREST, lastDistanceLevel);
+    result.distance = makeDistances(size, lastDistanceLevel);
     attach(result, size, result.colour.name(), result.distance.name(), depth == nullptr ? 0 : depth->name());
     return result;
 }

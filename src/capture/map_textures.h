@@ -15,6 +15,10 @@ struct MapSize
 
 MapSize mapSize(MapKind map, int n);
 
+// n of the second layer of depth of a map of size n. It is seen through the gaps between what is near and its own place
+// only, and has a quarter of the texels: docs/reflection.md has what that costs (nothing) and spares.
+int hiddenN(int n);
+
 // Throws Error badArgument when the driver's limits are exceeded, before anything is allocated.
 void requireMapSize(MapKind map, int n, int supersample = 1);
 
@@ -32,6 +36,7 @@ unsigned int internalFormat(ColourFormat format);
 // A depth texture with all layers, and textures that share it (none for nullptr). Bind nothing of the host's:
 // call inside a StateGuard.
 gl::Texture makeDepth(const MapSize& size);
+gl::Texture makeDistances(const MapSize& size, int lastLevel = 0);
 MapTextures makeMapTextures(const MapSize& size, ColourFormat format, const gl::Texture* depth,
                             int lastDistanceLevel = 0);
 

@@ -41,7 +41,7 @@ void ReflectionProbe::Implementation::beginDraws(int view)
     viewSerial = ++serials;
     const auto layer = static_cast<std::size_t>(view < 0 ? 0 : capture::layerOfView(desc.map, view));
     glBindFramebuffer(GL_FRAMEBUFFER, view < 0 ? target().allLayers.name() : target().layers[layer].name());
-    glViewport(0, 0, drawSize.width, drawSize.height);
+    glViewport(0, 0, targetSize().width, targetSize().height);
     for (GLenum plane = 0; plane < 3; ++plane)
         glDisable(GL_CLIP_DISTANCE0 + plane);
     glDisable(GL_CULL_FACE);
@@ -64,8 +64,8 @@ unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int v
     if (gl::integer(GL_CURRENT_PROGRAM) != static_cast<int>(linked.program.name()))
         glUseProgram(linked.program.name());
     if (linked.preparedFor != viewSerial) {
-        capture::setUniforms(linked, frame, desc.map, view, drawSize, abilities.clipControl);
-        glUniform1i(linked.firstDistance, firstUnit);
+        capture::setUniforms(linked, frame, desc.map, view, targetSize(), abilities.clipControl);
+        glUniform1i(linked.firstAround, firstUnit);
         glUniform1i(linked.layer, view < 0 ? 0 : capture::layerOfView(desc.map, view));
         glUniform1f(linked.separation, desc.layerSeparation);
         glUniform1i(linked.farthest, firstUnit + 1);
@@ -94,11 +94,11 @@ unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int v
     return linked.program.name();
 }
 
-void ReflectionProbe::Implementation::bindToLastUnits() const
+void ReflectionProbe::Implementation::bindToLastUnits()
 {
     const GLint active = gl::integer(GL_ACTIVE_TEXTURE);
-    const GLuint textures[2] = {peeling ? (isSupersampled() ? samples : back).distance.name() : 0u,
-                                hides ? farthestBlocks.texture().name() : 0u};
+    const GLuint textures[2] = {peeling ? firstAround.name() : 0u,
+                                hides ? targetBlocks().texture().name() : 0u};
     for (GLuint index = 0; index < 2; ++index) {
         if (textures[index] == 0)
             continue;
@@ -113,7 +113,7 @@ void ReflectionProbe::Implementation::gatherFarthest(int view)
 {
     const gl::StateGuard guard(abilities, 0, 1);
     guard.neutralise();
-    hides = farthestBlocks.gather(target().distance, capture::layerOfView(desc.map, view));
+    hides = targetBlocks().gather(target().distance, capture::layerOfView(desc.map, view));
     applied.reset();
 }
 

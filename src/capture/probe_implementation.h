@@ -42,17 +42,19 @@ struct ReflectionProbe::Implementation
     Desc desc;
     gl::Abilities abilities{}; // of the context that it lives in
     capture::Frame frame;
-    capture::MapSize size{};     // of a layer
-    capture::MapSize drawSize{}; // the same in samples
+    capture::MapSize size{};                         // of a layer
+    capture::MapSize drawSize{};                     // the same in samples
+    capture::MapSize hiddenSize{}, hiddenDrawSize{}; // both of the second layer of depth
     gl::Texture depth;
     capture::MapTextures front, back;             // what pass 2 reads, and what the next capture fills
     capture::MapTextures hiddenFront, hiddenBack; // the same for the second layer of depth, if there is one
     capture::MapTextures samples, hiddenSamples;  // what is drawn into with several samples a texel
+    gl::Texture firstAround; // distances of the first layer: the nearest around each sample of the second
     capture::Copies copies;
     capture::FilteredMap filtered;
-    bool peeling = false;                   // drawing the second layer
-    capture::FarthestBlocks farthestBlocks; // of a view's draws so far
-    bool hides = false;                     // further draws leave out what those hide
+    bool peeling = false;                                         // drawing the second layer
+    capture::FarthestBlocks farthestBlocks, hiddenFarthestBlocks; // of a view's draws so far
+    bool hides = false;                                           // further draws leave out what those hide
     int firstUnit = 0;      // of two texture units, the last ones: the first layer and the farthest distances
     bool allAtOnce = false; // asked for, and the driver can
     ReflectionMap map;
@@ -99,11 +101,14 @@ struct ReflectionProbe::Implementation
                    : std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(desc.n))) - 3, 0);
     }
     bool isSupersampled() const { return desc.supersample > 1; }
-    // What is drawn into now.
+    // What is drawn into now, how large it is, and what is hidden there.
     const capture::MapTextures& target() const;
+    const capture::MapSize& targetSize() const { return peeling ? hiddenDrawSize : drawSize; }
+    capture::FarthestBlocks& targetBlocks() { return peeling ? hiddenFarthestBlocks : farthestBlocks; }
     void makeTextures();
     void requireReady() const;
     CaptureReport fill(const std::function<void()>& drawLayerOfDepth); // called for each
+    void beginHidden();
     void finish();
     void filter();
     // A view's layer is cleared just before the first draw into it, while it is in a software rasteriser's cache;
@@ -121,7 +126,7 @@ struct ReflectionProbe::Implementation
     unsigned int use(const CaptureMesh& mesh, int view, capture::Variant variant);
     void beginDraws(int view);
     unsigned int primitive() const;
-    void bindToLastUnits() const;
+    void bindToLastUnits();
     // Between draws of the host's, whose state stays.
     void gatherFarthest(int view);
     void publish();

@@ -42,13 +42,16 @@ void requireUsable(const CaptureMesh& mesh, const std::string& asked)
 } // namespace
 
 ReflectionProbe::Implementation::Implementation(const Desc& given)
-    : desc(given), frame(desc), farthestBlocks(capture::MapSize{})
+    : desc(given), frame(desc), farthestBlocks(capture::MapSize{}), hiddenFarthestBlocks(capture::MapSize{})
 {
     capture::requirePossible(desc);
     abilities = gl::Abilities::ofCurrentContext();
     size = capture::mapSize(desc.map, desc.n);
     drawSize = capture::mapSize(desc.map, desc.n * desc.supersample);
+    hiddenSize = capture::mapSize(desc.map, capture::hiddenN(desc.n));
+    hiddenDrawSize = capture::mapSize(desc.map, capture::hiddenN(desc.n) * desc.supersample);
     farthestBlocks = capture::FarthestBlocks(drawSize);
+    hiddenFarthestBlocks = capture::FarthestBlocks(hiddenDrawSize);
     // The host's materials use the first ones.
     firstUnit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 2;
     const gl::StateGuard guard(abilities, 0, 1);
@@ -74,22 +77,23 @@ void ReflectionProbe::Implementation::makeTextures()
     }
     depth = capture::makeDepth(drawSize);
     const gl::Texture* const depthOfTexels = isSupersampled() ? nullptr : &depth;
-    const auto make = [&](int lastDistanceLevel = 0) {
-        return capture::makeMapTextures(size, desc.colour, depthOfTexels, lastDistanceLevel);
+    const auto make = [&](const capture::MapSize& each, int lastDistanceLevel = 0) {
+        return capture::makeMapTextures(each, desc.colour, depthOfTexels, lastDistanceLevel);
     };
     front = isBorrowed() ? capture::borrowMapTextures(size, desc.colourTexture, desc.distanceTexture)
-                         : make(nearestLevel());
-    back = make(nearestLevel());
+                         : make(size, nearestLevel());
+    back = make(size, nearestLevel());
     clear(front.allLayers);
     if (isSupersampled())
         samples = capture::makeMapTextures(drawSize, desc.colour, &depth);
     if (desc.layersOfDepth < 2)
         return;
-    hiddenFront = make();
-    hiddenBack = make();
+    hiddenFront = make(hiddenSize);
+    hiddenBack = make(hiddenSize);
     clear(hiddenFront.allLayers);
     if (isSupersampled())
-        hiddenSamples = capture::makeMapTextures(drawSize, desc.colour, &depth);
+        hiddenSamples = capture::makeMapTextures(hiddenDrawSize, desc.colour, &depth);
+    firstAround = capture::makeDistances(hiddenDrawSize);
 }
 
 const capture::MapTextures& ReflectionProbe::Implementation::target() const
@@ -122,7 +126,8 @@ void ReflectionProbe::Implementation::publish()
            isBorrowed() ? desc.distanceTexture : front.distance.name(),
            frame.worldFromProbe(),
            hiddenFront.colour.name(),
-           hiddenFront.distance.name()};
+           hiddenFront.distance.name(),
+           desc.layersOfDepth == 2 ? capture::hiddenN(desc.n) : 0};
     map.nearestLevel = nearestLevel();
     if (filtered)
         filtered.describeIn(map);
@@ -213,11 +218,20 @@ CaptureReport ReflectionProbe::Implementation::fill(const std::function<void()>&
                     static_cast<std::size_t>(size.layers);
     drawLayerOfDepth();
     if (desc.layersOfDepth == 2) {
+        beginHidden();
         const RaisedFlag isPeeling(peeling);
         drawLayerOfDepth();
     }
     finish();
     return report;
+}
+
+// A texel of the second layer may hold what any texel of the first around it hides.
+void ReflectionProbe::Implementation::beginHidden()
+{
+    const gl::StateGuard guard(abilities, 0, 1);
+    guard.neutralise(); // the callback may have changed anything
+    copies.gatherNearest(target().distance, firstAround, hiddenDrawSize);
 }
 
 void ReflectionProbe::Implementation::finish()
@@ -227,9 +241,9 @@ void ReflectionProbe::Implementation::finish()
     if (isSupersampled())
         copies.reduce(samples, back, size, desc.supersample);
     if (isSupersampled() && desc.layersOfDepth == 2)
-        copies.reduce(hiddenSamples, hiddenBack, size, desc.supersample);
+        copies.reduce(hiddenSamples, hiddenBack, hiddenSize, desc.supersample);
     if (nearestLevel() > 0)
-        copies.gatherNearest(back.distance, size, nearestLevel());
+        copies.gatherNearestLevel(back.distance, size, nearestLevel());
     if (isBorrowed())
         copies.reduce(back, front, size, 1);
     if (!isBorrowed())
@@ -300,6 +314,7 @@ void ReflectionProbe::takeOver(std::span<const unsigned int, 6> sides, SideTarge
     self.filter();
     self.publish();
     self.map.distanceTexture = self.map.hiddenColourTexture = self.map.hiddenDistanceTexture = 0;
+    self.map.hiddenN = 0;
     self.map.nearestLevel = 0;
 }
 

@@ -46,7 +46,7 @@ Result captureTwoLayers(const examples::GlScene& scene, const std::vector<Captur
         if (unbinds)
             unbindTexturesOfAllUnits();
     });
-    result.hidden = tests::readMap(probe.map().hiddenDistanceTexture, MapKind::tennisBall, 48);
+    result.hidden = tests::readMap(probe.map().hiddenDistanceTexture, MapKind::tennisBall, probe.map().hiddenN);
     return result;
 }
 

@@ -84,10 +84,11 @@ Captured captured(const examples::Scene& scene, ReflectionProbe::Desc desc, bool
     });
     glDeleteQueries(1, &query);
     const ReflectionMap& map = probe.map();
-    for (const unsigned int texture :
-         {map.colourTexture, map.distanceTexture, map.hiddenColourTexture, map.hiddenDistanceTexture})
+    for (const auto& [texture, size] :
+         {std::pair(map.colourTexture, map.n), std::pair(map.distanceTexture, map.n),
+          std::pair(map.hiddenColourTexture, map.hiddenN), std::pair(map.hiddenDistanceTexture, map.hiddenN)})
     {
-        const auto texels = texture == 0 ? std::vector<float>() : tests::readMap(texture, desc.map, desc.n);
+        const auto texels = texture == 0 ? std::vector<float>() : tests::readMap(texture, desc.map, size);
         result.texels.insert(result.texels.end(), texels.begin(), texels.end());
     }
     return result;

@@ -168,11 +168,11 @@ Shown told(const std::vector<DepthLayer>& layers, const Ray& ray)
 {
     const glm::vec3 direction = ray.meets.value_or(ray.direction);
     const float expected = ray.meets ? glm::length(*ray.meets) : std::numeric_limits<float>::infinity();
-    const Texel middle = layers[0].texel(direction);
     Shown shown{direction};
     float least = std::numeric_limits<float>::infinity();
     for (const auto& [x, y] : aroundAndMiddle)
         for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+            const Texel middle = layers[layer].texel(direction);
             const Texel one{middle.component, middle.x + x, middle.y + y};
             const float ratio = layers[layer].distance(one) / expected;
             // Neither is anything where both are infinite.
@@ -206,7 +206,7 @@ public:
         const ReflectionMap& map = renderer.map(0);
         worldFromMap_ = glm::dmat3(map.worldFromProbe);
         layers_.emplace_back(map.map, map.n, map.colourTexture, map.distanceTexture);
-        layers_.emplace_back(map.map, map.n, map.hiddenColourTexture, map.hiddenDistanceTexture);
+        layers_.emplace_back(map.map, map.hiddenN, map.hiddenColourTexture, map.hiddenDistanceTexture);
     }
 
     tests::ParallaxErrors drawn(MapKind map, Lookup lookup) const { return judge_.judge(map, lookup); }

@@ -19,6 +19,7 @@ struct ReflectionMap
     // The second layer of depth, what the first hides; 0 if there is none.
     unsigned int hiddenColourTexture = 0;
     unsigned int hiddenDistanceTexture = 0;
+    int hiddenN = 0; // its n
     // The same colours with mip levels, and round each layer guard texels, which hold what is seen in their
     // own directions: filtering crosses no border. 0 if there is none.
     unsigned int filteredColourTexture = 0;

@@ -1,6 +1,6 @@
-// A level of a distance texture from a finer one: of every block of texels the nearest.
-uniform sampler2DArray distances; // its base level is the finer one
-uniform ivec2 size;               // of the level that is drawn into
+// Distances with fewer texels from finer ones: of every block of texels the nearest.
+uniform sampler2DArray distances; // its base level is read
+uniform ivec2 size;               // of what is drawn into
 uniform int layer;
 out float nearest;
 
