@@ -8,8 +8,6 @@
 
 #include <epoxy/gl.h>
 
-#include <utility>
-
 namespace mirrorball::capture {
 
 namespace {
@@ -150,12 +148,13 @@ void Copies::beginGather(const gl::Texture& from)
 }
 
 // From the base level of what is bound.
-void Copies::gather(const gl::Texture& to, int level, const MapSize& size)
+void Copies::gather(const gl::Texture& to, int level, const MapSize& size, int stride)
 {
     const auto location = [&](const char* name) {
         return glGetUniformLocation(nearestOfBlock_.name(), name);
     };
     glUniform2i(location("size"), size.width, size.height);
+    glUniform1i(location("stride"), stride);
     glViewport(0, 0, size.width, size.height);
     for (int layer = 0; layer < size.layers; ++layer) {
         glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, to.name(), level, layer);
@@ -167,23 +166,33 @@ void Copies::gather(const gl::Texture& to, int level, const MapSize& size)
 void Copies::gatherNearest(const gl::Texture& from, const gl::Texture& to, const MapSize& size)
 {
     beginGather(from);
-    gather(to, 0, size);
+    gather(to, 0, size, 1);
 }
 
-void Copies::gatherNearestLevel(const gl::Texture& distance, const MapSize& size, int level)
+void Copies::gatherNearestLevel(const gl::Texture& from, const gl::Texture& distance, const MapSize& size,
+                                int level)
 {
+    const auto sizeOf = [&](int each) {
+        return MapSize{size.width >> each, size.height >> each, size.layers};
+    };
+    const auto readOnly = [](int base, int last) {
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, base);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, last);
+    };
+    // In two stages, so that no fragment has to look at thousands of texels. Only the level that is read may be sampled
+    // while another one is drawn into.
+    const int between = level / 2;
+    const bool isItself = &from == &distance;
     beginGather(distance);
-    // In two stages, so that no fragment has to look at thousands of texels.
-    for (const auto& [from, to] : {std::pair(0, level / 2), std::pair(level / 2, level)}) {
-        if (from == to)
-            continue;
-        // Only the level that is read may be sampled while another one is drawn into.
-        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, from);
-        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, from);
-        gather(distance, to, {size.width >> to, size.height >> to, size.layers});
+    readOnly(0, 0);
+    if (between > 0) {
+        beginGather(from);
+        gather(distance, between, sizeOf(between), isItself && between >= 2 ? 2 : 1);
     }
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, level);
+    beginGather(distance);
+    readOnly(between, between);
+    gather(distance, level, sizeOf(level), 1);
+    readOnly(0, level);
 }
 
 void Copies::copySide(unsigned int texture, SideTarget target, const MapTextures& to, int layer,

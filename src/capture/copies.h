@@ -38,13 +38,16 @@ public:
     // nearest.
     void gatherNearest(const gl::Texture& from, const gl::Texture& to, const MapSize& size);
 
-    // The same into a level of the texture itself, whose level 0 has this size; the levels between are not filled.
-    void gatherNearestLevel(const gl::Texture& distance, const MapSize& size, int level);
+    // Fills a level of a distance texture whose level 0 has this size; the levels between are not filled. `from` holds
+    // its texels or the nearest of each few of them: all are asked, or of the texture itself, in blocks 4 wide or more,
+    // every second one each way, a quarter in all.
+    void gatherNearestLevel(const gl::Texture& from, const gl::Texture& distance, const MapSize& size,
+                            int level);
 
 private:
     void makeShared();
     void beginGather(const gl::Texture& from);
-    void gather(const gl::Texture& to, int level, const MapSize& size);
+    void gather(const gl::Texture& to, int level, const MapSize& size, int stride);
 
     gl::Program reduce_, nearestOfBlock_, copy2d_, copyRectangle_;
     FullScreenPass pass_;

@@ -243,7 +243,8 @@ void ReflectionProbe::Implementation::finish()
     if (isSupersampled() && desc.layersOfDepth == 2)
         copies.reduce(hiddenSamples, hiddenBack, hiddenSize, desc.supersample);
     if (nearestLevel() > 0)
-        copies.gatherNearestLevel(back.distance, size, nearestLevel());
+        copies.gatherNearestLevel(desc.layersOfDepth == 2 ? firstAround : back.distance, back.distance, size,
+                                  nearestLevel());
     if (isBorrowed())
         copies.reduce(back, front, size, 1);
     if (!isBorrowed())

@@ -46,7 +46,8 @@ Result captureTwoLayers(const examples::GlScene& scene, const std::vector<Captur
         if (unbinds)
             unbindTexturesOfAllUnits();
     });
-    result.hidden = tests::readMap(probe.map().hiddenDistanceTexture, MapKind::tennisBall, probe.map().hiddenN);
+    result.hidden =
+        tests::readMap(probe.map().hiddenDistanceTexture, MapKind::tennisBall, probe.map().hiddenN);
     return result;
 }
 

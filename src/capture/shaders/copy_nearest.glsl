@@ -2,6 +2,7 @@
 uniform sampler2DArray distances; // its base level is read
 uniform ivec2 size;               // of what is drawn into
 uniform int layer;
+uniform int stride; // 2: of every second texel each way
 out float nearest;
 
 void main()
@@ -11,7 +12,7 @@ void main()
     ivec2 first = texel * from / size;
     ivec2 end = ((texel + 1) * from + size - 1) / size; // rounded up: blocks overlap where sizes do not divide
     nearest = uintBitsToFloat(0x7f800000u);
-    for (int y = first.y; y < end.y; ++y)
-        for (int x = first.x; x < end.x; ++x)
+    for (int y = first.y; y < end.y; y += stride)
+        for (int x = first.x; x < end.x; x += stride)
             nearest = min(nearest, texelFetch(distances, ivec3(x, y, layer), 0).r);
 }
