@@ -43,7 +43,9 @@ bool isMethod(const Row& row, std::string_view name)
 
 std::string nameOf(const Group& group)
 {
-    return std::string(group.scene->name) + (group.cullBackFaces ? ", back faces culled" : "");
+    return std::string(group.scene->name) +
+           (group.cubeN == mainN ? "" : ", cube n = " + std::to_string(group.cubeN)) +
+           (group.cullBackFaces ? ", back faces culled" : "");
 }
 
 const Row* automatic(const Rows& group, Sizing sizing, std::string_view method = "automatic")

@@ -13,7 +13,6 @@ namespace {
 using mirrorball::Lookup;
 using mirrorball::MapKind;
 
-constexpr int mainN = 256;
 constexpr int otherN[] = {64, 128, 512, 1024};
 // At other sizes than the main one: what a host chooses between first.
 constexpr MapKind mainMaps[] = {MapKind::tennisBall, MapKind::cube};

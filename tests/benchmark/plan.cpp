@@ -14,7 +14,6 @@ namespace {
 
 using mirrorball::MapKind;
 
-constexpr int mainN = 256;
 constexpr int otherN[] = {64, 128, 512, 1024};
 // Measured by every method, at every size and with back faces culled; the others to compare with.
 constexpr MapKind mainMaps[] = {MapKind::tennisBall, MapKind::tennisBallEven};
@@ -116,8 +115,11 @@ std::vector<MapKind> mapsAt(const SceneChoice& scene, int cubeN, bool cullBackFa
 
 std::vector<int> sizesOf(const SceneChoice& scene, const Options& options)
 {
-    if (!options.sizes.empty())
-        return options.sizes;
+    if (!options.sizes.empty()) {
+        std::vector<int> sizes = options.sizes; // the report's aims are those of the first
+        std::stable_partition(sizes.begin(), sizes.end(), [](int n) { return n == mainN; });
+        return sizes;
+    }
     if (options.quick || !scene.everySize)
         return {mainN};
     std::vector<int> sizes = {mainN};

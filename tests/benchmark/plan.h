@@ -13,6 +13,9 @@
 
 namespace tests::benchmark {
 
+// Of the cube: the size that every scene is measured at, and that aims are of.
+constexpr int mainN = 256;
+
 // How a map's n follows from the cube's n of its group.
 enum class Sizing {
     equalTexels, // as many texels in all as the cube map
