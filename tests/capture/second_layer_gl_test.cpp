@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <mutex>
 #include <string>
 
@@ -41,20 +42,22 @@ struct Layers
     }
 };
 
-// Of the texels of the first layer that share an area with one of the second.
+// Of one axis: whether a texel of the first layer shares more than an end with one of the second.
+bool meets(int first, int firstSize, int second, int secondSize)
+{
+    return first * secondSize < (second + 1) * firstSize && (first + 1) * secondSize > second * firstSize;
+}
+
 double nearestAround(const Layers& first, const Layers& second, int component, int x, int y)
 {
+    constexpr int reach = 4; // texels, from the one in the corner
+    const int left = x * first.width() / second.width(), top = y * first.height() / second.height();
     float result = std::numeric_limits<float>::infinity();
-    for (int row = 0; row < first.height(); ++row)
-        for (int column = 0; column < first.width(); ++column) {
-            const auto meets = [](int fine, int fineSize, int coarse, int coarseSize) {
-                return fine * coarseSize < (coarse + 1) * fineSize &&
-                       (fine + 1) * coarseSize > coarse * fineSize;
-            };
+    for (int row = std::max(top - reach, 0); row < std::min(top + reach, first.height()); ++row)
+        for (int column = std::max(left - reach, 0); column < std::min(left + reach, first.width()); ++column)
             if (meets(row, first.height(), y, second.height()) &&
                 meets(column, first.width(), x, second.width()))
                 result = std::min(result, first.at(component, column, row));
-        }
     return static_cast<double>(result);
 }
 
