@@ -3,6 +3,7 @@
 // gets that has everything set for each draw.
 #include "support/check.h"
 #include "support/gl_image.h"
+#include "support/gl_state.h"
 #include "support/wall_patches.h"
 
 #include <mirrorball/headless/context.h>
@@ -77,5 +78,6 @@ int main()
     const tests::WallPatches walls;
     for (const tests::CapturePath& path : tests::capturePaths())
         checkDrawsInARow(walls, path);
+    CHECK(tests::takeErrors().empty());
     return 0;
 }

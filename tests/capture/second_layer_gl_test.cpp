@@ -3,6 +3,7 @@
 #include "support/check.h"
 #include "support/exactness.h"
 #include "support/gl_image.h"
+#include "support/gl_state.h"
 
 #include "gl_scene.h"
 #include "reference.h"
@@ -169,4 +170,5 @@ int main()
     check(crowd, at, MapKind::tennisBall, 47); // blocks of 2 x 2 or 3 x 3
     check(crowd, at, MapKind::cube, 33);
     checkSupersampled(crowd, at, MapKind::tennisBall);
+    CHECK(tests::takeErrors().empty());
 }
