@@ -267,6 +267,7 @@ LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& va
     result.cullBackFaces = location("cullBackFaces");
     result.steps = location("steps");
     result.firstAround = location("firstAround");
+    result.texelsPerSample = location("texelsPerSample");
     result.layer = location("layer");
     result.separation = location("separation");
     result.farthest = location("farthest");

@@ -46,7 +46,7 @@ struct LinkedProgram
     gl::Program program;
     // Uniform locations; -1 where a variant has none.
     int probeFromWorld, centre, view, depth, range, size, clipFromDirection, inwardPlanes, lineFromDirection,
-        cullBackFaces, steps, firstAround, layer, separation, farthest;
+        cullBackFaces, steps, firstAround, texelsPerSample, layer, separation, farthest;
     bool usesClipDistances;
     bool writesDepth;
     std::uint64_t preparedFor =

@@ -183,9 +183,9 @@ void Copies::gatherNearestLevel(const gl::Texture& from, const gl::Texture& dist
     // while another one is drawn into.
     const int between = level / 2;
     const bool isItself = &from == &distance;
-    beginGather(distance);
-    readOnly(0, 0);
     if (between > 0) {
+        beginGather(distance);
+        readOnly(0, 0);
         beginGather(from);
         gather(distance, between, sizeOf(between), isItself && between >= 2 ? 2 : 1);
     }

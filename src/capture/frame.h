@@ -25,6 +25,8 @@ public:
         return probeFromWorld_;
     }                          // from positions relative to captureOrigin
     glm::dvec3 centre() const; // relative to captureOrigin
+    MapKind map() const { return map_; }
+    int n() const { return n_; }
     float near() const { return near_; }
     float far() const { return far_; }
 

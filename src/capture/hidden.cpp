@@ -76,9 +76,22 @@ Seen seenOf(const CaptureMesh& mesh, const Frame& frame)
     return seen;
 }
 
-bool overlaps(const Cell& cell, const Seen& seen)
+// From the middle of a texel of the second layer to that of any of the first which it covers, at most: a texel's diagonal.
+double texelAngle(const Frame& frame)
 {
-    const double reach = cell.angle + seen.angle + 1e-6;
+    switch (frame.map()) {
+    case MapKind::sphereMap: // stretched without end around its rim
+        return std::numbers::pi;
+    case MapKind::octahedral:
+        return 8.6 / frame.n();
+    default:
+        return 4.5 / frame.n(); // the equirectangular map's, the widest of the others
+    }
+}
+
+bool overlaps(const Cell& cell, const Seen& seen, double texel)
+{
+    const double reach = cell.angle + seen.angle + texel + 1e-6;
     return reach >= std::numbers::pi || glm::dot(cell.middle, seen.direction) >= std::cos(reach);
 }
 
@@ -87,20 +100,21 @@ bool overlaps(const Cell& cell, const Seen& seen)
 std::vector<bool> mayBeHidden(std::span<const CaptureMesh> meshes, const Frame& frame, double separation)
 {
     static const std::array<Cell, cellCount> cells = makeCells();
+    const double texel = texelAngle(frame);
     std::vector<Seen> seen;
     std::array<double, cellCount> nearest;
     nearest.fill(std::numeric_limits<double>::infinity());
     for (const CaptureMesh& mesh : meshes) {
         seen.push_back(seenOf(mesh, frame));
         for (std::size_t index = 0; index < cellCount; ++index)
-            if (overlaps(cells[index], seen.back()))
+            if (overlaps(cells[index], seen.back(), texel))
                 nearest[index] = std::min(nearest[index], seen.back().nearest);
     }
     std::vector<bool> result;
     for (const Seen& each : seen) {
         double first = std::numeric_limits<double>::infinity();
         for (std::size_t index = 0; index < cellCount; ++index)
-            if (overlaps(cells[index], each))
+            if (overlaps(cells[index], each, texel))
                 first = std::min(first, nearest[index]);
         result.push_back(each.farthest > (1.0 + separation) * first);
     }

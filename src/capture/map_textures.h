@@ -16,7 +16,7 @@ struct MapSize
 MapSize mapSize(MapKind map, int n);
 
 // n of the second layer of depth of a map of size n. It is seen through the gaps between what is near and its own place
-// only, and has a quarter of the texels: docs/reflection.md has what that costs (nothing) and spares.
+// only, so that a quarter of the texels shows nearly as much; docs/reflection.md has both sides of that.
 int hiddenN(int n);
 
 // Throws Error badArgument when the driver's limits are exceeded, before anything is allocated.

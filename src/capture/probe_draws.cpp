@@ -66,6 +66,7 @@ unsigned int ReflectionProbe::Implementation::use(const CaptureMesh& mesh, int v
     if (linked.preparedFor != viewSerial) {
         capture::setUniforms(linked, frame, desc.map, view, targetSize(), abilities.clipControl);
         glUniform1i(linked.firstAround, firstUnit);
+        glUniform1f(linked.texelsPerSample, 1.0f / static_cast<float>(desc.supersample));
         glUniform1i(linked.layer, view < 0 ? 0 : capture::layerOfView(desc.map, view));
         glUniform1f(linked.separation, desc.layerSeparation);
         glUniform1i(linked.farthest, firstUnit + 1);

@@ -49,13 +49,13 @@ struct ReflectionProbe::Implementation
     capture::MapTextures front, back;             // what pass 2 reads, and what the next capture fills
     capture::MapTextures hiddenFront, hiddenBack; // the same for the second layer of depth, if there is one
     capture::MapTextures samples, hiddenSamples;  // what is drawn into with several samples a texel
-    gl::Texture firstAround; // distances of the first layer: the nearest around each sample of the second
+    gl::Texture firstAround; // of the first layer the nearest distance that each texel of the second covers
     capture::Copies copies;
     capture::FilteredMap filtered;
     bool peeling = false;                                         // drawing the second layer
     capture::FarthestBlocks farthestBlocks, hiddenFarthestBlocks; // of a view's draws so far
     bool hides = false;                                           // further draws leave out what those hide
-    int firstUnit = 0;      // of two texture units, the last ones: the first layer and the farthest distances
+    int firstUnit = 0;      // of two texture units, the last ones: firstAround and the farthest distances
     bool allAtOnce = false; // asked for, and the driver can
     ReflectionMap map;
     bool capturing = false;

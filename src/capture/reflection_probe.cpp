@@ -93,7 +93,7 @@ void ReflectionProbe::Implementation::makeTextures()
     clear(hiddenFront.allLayers);
     if (isSupersampled())
         hiddenSamples = capture::makeMapTextures(hiddenDrawSize, desc.colour, &depth);
-    firstAround = capture::makeDistances(hiddenDrawSize);
+    firstAround = capture::makeDistances(hiddenSize);
 }
 
 const capture::MapTextures& ReflectionProbe::Implementation::target() const
@@ -126,8 +126,8 @@ void ReflectionProbe::Implementation::publish()
            isBorrowed() ? desc.distanceTexture : front.distance.name(),
            frame.worldFromProbe(),
            hiddenFront.colour.name(),
-           hiddenFront.distance.name(),
-           desc.layersOfDepth == 2 ? capture::hiddenN(desc.n) : 0};
+           hiddenFront.distance.name()};
+    map.hiddenN = desc.layersOfDepth == 2 ? capture::hiddenN(desc.n) : 0;
     map.nearestLevel = nearestLevel();
     if (filtered)
         filtered.describeIn(map);
@@ -231,7 +231,7 @@ void ReflectionProbe::Implementation::beginHidden()
 {
     const gl::StateGuard guard(abilities, 0, 1);
     guard.neutralise(); // the callback may have changed anything
-    copies.gatherNearest(target().distance, firstAround, hiddenDrawSize);
+    copies.gatherNearest(target().distance, firstAround, hiddenSize);
 }
 
 void ReflectionProbe::Implementation::finish()

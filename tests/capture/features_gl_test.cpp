@@ -253,8 +253,9 @@ void checkNearest(const tests::SixWalls& walls, MapKind map, int size)
         const auto all = tests::readTextureLayer(probe.map().distanceTexture, layer, width, height);
         const auto nearest =
             tests::readTextureLayer(probe.map().distanceTexture, layer, columns, rows, level);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
+        const int step = size < 128 ? 1 : 2; // from there on a quarter of the texels is asked
+        for (int y = 0; y < height; y += step)
+            for (int x = 0; x < width; x += step) {
                 const int block = y * rows / height * columns + x * columns / width;
                 CHECK(nearest[static_cast<std::size_t>(4 * block)] <=
                       all[static_cast<std::size_t>(4 * (y * width + x))]);
@@ -262,8 +263,8 @@ void checkNearest(const tests::SixWalls& walls, MapKind map, int size)
         // Where sizes divide, no block holds what is not in it.
         for (int block = 0; size % 8 == 0 && block < columns * rows; ++block) {
             float least = std::numeric_limits<float>::infinity();
-            for (int y = 0; y < height / rows; ++y)
-                for (int x = 0; x < width / columns; ++x)
+            for (int y = 0; y < height / rows; y += step)
+                for (int x = 0; x < width / columns; x += step)
                     least = std::min(
                         least,
                         all[static_cast<std::size_t>(4 * ((block / columns * (height / rows) + y) * width +
@@ -366,7 +367,7 @@ int main(int argc, char** argv)
     for (const MapInfo& info : maps()) {
         if (!only.empty() && info.name != only)
             continue;
-        for (const int size : {16, 32, 45})
+        for (const int size : {16, 32, 45, 128})
             checkNearest(walls, info.kind, size);
         checkSupersampling(walls, info.kind, info.components == 1 ? 4 : 3);
         checkViews(walls, info.kind, LayerOrder::oneAtATime);

@@ -18,10 +18,10 @@ using namespace mirrorball;
 namespace {
 
 // Crowded: 128 objects in a room, 4 to 13 from the centre.
-ReflectionProbe crowdAround()
+ReflectionProbe crowdAround(int layersOfDepth)
 {
     const examples::Scene scene = examples::loadScene("builtin:crowd:3000");
-    ReflectionProbe probe({.n = 128, .near = 0.1f, .layersOfDepth = 2});
+    ReflectionProbe probe({.n = 128, .near = 0.1f, .layersOfDepth = layersOfDepth});
     const examples::GlScene drawable(scene, glm::dvec3(0.0));
     CaptureProgram program = examples::phongCaptureProgram();
     probe.capture(drawable.captureMeshes(program), [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
@@ -98,8 +98,9 @@ void testFunctionsAgree(const ReflectionMap& map, const std::vector<glm::vec4>& 
 int main()
 {
     const headless::Context context;
-    const ReflectionProbe probe = crowdAround();
+    const ReflectionProbe probe = crowdAround(2), oneLayer = crowdAround(1);
     const std::vector<glm::vec4> directions = randomDirections(16384);
+    testBegins(oneLayer.map(), Lookup::distance, directions);
     testBegins(probe.map(), Lookup::distance, directions);
     testBegins(probe.map(), Lookup::layered, directions);
     testFunctionsAgree(probe.map(), directions);

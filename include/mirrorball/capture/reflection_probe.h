@@ -82,7 +82,7 @@ public:
         // nearest that is farther by layerSeparation, relative to the nearest first distance around it (a minimum
         // separation, as in Mara, McGuire, Nowrouzezahrai, Luebke, "Deep G-buffers for stable global illumination
         // approximation", 2016), so that it is what the first one hides and not its own back. The second layer is a
-        // map of size n / 2: the reflection sees little of it.
+        // map of size n / 2, rounded down, or 1: the reflection sees little of it.
         int layersOfDepth = 1;
         float layerSeparation = 0.3f;
     };

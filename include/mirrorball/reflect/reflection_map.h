@@ -19,14 +19,14 @@ struct ReflectionMap
     // The second layer of depth, what the first hides; 0 if there is none.
     unsigned int hiddenColourTexture = 0;
     unsigned int hiddenDistanceTexture = 0;
-    int hiddenN = 0; // its n
     // The same colours with mip levels, and round each layer guard texels, which hold what is seen in their
     // own directions: filtering crosses no border. 0 if there is none.
     unsigned int filteredColourTexture = 0;
     glm::vec4 filteredFromSquare{1.0f, 1.0f, 0.0f, 0.0f}; // its coordinates: xy times (u, v) plus zw
-    // Of distanceTexture: a texel there holds the nearest distance of a block of them, so that a march knows
-    // where it may begin; 0 if there is no such level.
+    // Of distanceTexture: a texel there holds about the nearest distance of a block of them, so that a march knows
+    // where it may begin (docs/reflection.md); 0 if there is no such level.
     int nearestLevel = 0;
+    int hiddenN = 0; // n of the second layer; 0 if there is none
 };
 
 } // namespace mirrorball
