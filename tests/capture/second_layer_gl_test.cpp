@@ -145,17 +145,20 @@ void check(const examples::Scene& scene, const glm::dvec3& at, MapKind map, int 
 
 } // namespace
 
-int main()
+// "few": what a slow driver gets through in seconds.
+int main(int argc, char** argv)
 {
     const headless::Context context;
     const examples::Scene crowd = examples::loadScene("builtin:crowd:3000");
     const glm::dvec3 at(0.1, 0.333, 0.01);
-    for (const MapKind map : {MapKind::tennisBall, MapKind::tennisBallEven, MapKind::dualParaboloid,
-                              MapKind::cube, MapKind::octahedral, MapKind::equirectangular})
-        check(crowd, at, map, 48);
-    check(crowd, at, MapKind::tennisBall, 47); // blocks of 2 x 2 or 3 x 3
-    check(crowd, at, MapKind::cube, 33);
-    check(crowd, at, MapKind::tennisBall, 24, 3);
+    check(crowd, at, MapKind::tennisBall, 15, 1); // blocks of 2 x 2 or 3 x 3
     check(crowd, at, MapKind::cube, 15, 3);
+    if (argc < 2 || std::string(argv[1]) != "few") {
+        for (const MapKind map : {MapKind::tennisBall, MapKind::tennisBallEven, MapKind::dualParaboloid,
+                                  MapKind::cube, MapKind::octahedral, MapKind::equirectangular})
+            check(crowd, at, map, 48);
+        check(crowd, at, MapKind::tennisBall, 24, 3);
+        check(crowd, at, MapKind::cube, 33);
+    }
     CHECK(tests::takeErrors().empty());
 }
