@@ -1,5 +1,7 @@
 #include "capture/hidden.h"
 
+#include "capture/map_textures.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -76,17 +78,15 @@ Seen seenOf(const CaptureMesh& mesh, const Frame& frame)
     return seen;
 }
 
-// From the middle of a texel of the second layer to that of any of the first which it covers, at most: a texel's diagonal.
+// From the middle of a texel of the second layer to that of any of the first which it covers a part of, at most: half a
+// diagonal of each.
 double texelAngle(const Frame& frame)
 {
-    switch (frame.map()) {
-    case MapKind::sphereMap: // stretched without end around its rim
+    if (frame.map() == MapKind::sphereMap) // stretched without end around its rim
         return std::numbers::pi;
-    case MapKind::octahedral:
-        return 8.6 / frame.n();
-    default:
-        return 4.5 / frame.n(); // the equirectangular map's, the widest of the others
-    }
+    // Times n; the equirectangular map's 4.44 is the widest of the others.
+    const double diagonal = frame.map() == MapKind::octahedral ? 8.6 : 4.5;
+    return 0.5 * diagonal * (1.0 / hiddenN(frame.n()) + 1.0 / frame.n());
 }
 
 bool overlaps(const Cell& cell, const Seen& seen, double texel)
