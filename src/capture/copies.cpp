@@ -21,6 +21,17 @@ gl::Program link(std::string_view fragment, const std::string& define, const std
         name);
 }
 
+gl::Program linkNearest()
+{
+    const std::string version = "#version 330 core\n", name = "the nearest of many distances";
+    return gl::linkProgram(
+        {{GL_VERTEX_SHADER, version + std::string(shaders::copyLayersVertex), "the vertex shader of " + name},
+         {GL_GEOMETRY_SHADER, version + std::string(shaders::copyLayersGeometry),
+          "the geometry shader of " + name},
+         {GL_FRAGMENT_SHADER, version + std::string(shaders::copyNearest), "the fragment shader of " + name}},
+        name);
+}
+
 GLenum bindingOf(GLenum target)
 {
     switch (target) {
@@ -91,9 +102,9 @@ void FullScreenPass::prepare()
     glDisable(GL_DEPTH_TEST);
 }
 
-void FullScreenPass::draw() const
+void FullScreenPass::draw(int instances) const
 {
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, instances);
 }
 
 void Copies::makeShared()
@@ -135,7 +146,7 @@ void Copies::reduce(const MapTextures& from, const MapTextures& to, const MapSiz
 void Copies::beginGather(const gl::Texture& from)
 {
     if (!nearestOfBlock_) {
-        nearestOfBlock_ = link(shaders::copyNearest, "", "the nearest of many distances");
+        nearestOfBlock_ = linkNearest();
         level_ = gl::Framebuffer::create();
     }
     makeShared();
@@ -156,11 +167,8 @@ void Copies::gather(const gl::Texture& to, int level, const MapSize& size, int s
     glUniform2i(location("size"), size.width, size.height);
     glUniform1i(location("stride"), stride);
     glViewport(0, 0, size.width, size.height);
-    for (int layer = 0; layer < size.layers; ++layer) {
-        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, to.name(), level, layer);
-        glUniform1i(location("layer"), layer);
-        pass_.draw();
-    }
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, to.name(), level);
+    pass_.draw(size.layers);
 }
 
 void Copies::gatherNearest(const gl::Texture& from, const gl::Texture& to, const MapSize& size)

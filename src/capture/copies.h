@@ -14,7 +14,7 @@ class FullScreenPass
 {
 public:
     void prepare();
-    void draw() const;
+    void draw(int instances = 1) const;
 
 private:
     gl::VertexArray noAttributes_;
