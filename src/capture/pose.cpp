@@ -38,7 +38,7 @@ Pose rigidPose(const glm::dmat4& worldFromProbe)
 void requireFinite(const glm::dvec3& point, const std::string& asked)
 {
     if (!(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)))
-        throw Error(ErrorKind::badArgument, asked, "a coordinate is not finite", "give finite numbers");
+        throw Error(ErrorKind::badArgument, asked, "a component is not finite", "give finite numbers");
 }
 
 } // namespace mirrorball::capture

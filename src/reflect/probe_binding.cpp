@@ -2,6 +2,7 @@
 
 #include "gl/context.h"
 #include "gl/state_guard.h"
+#include "reflect/uniform_names.h"
 
 #include <mirrorball/error.h>
 
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 namespace mirrorball {
 
@@ -30,6 +33,22 @@ glm::mat4 proxyFromWorld(const glm::dmat4& worldFromProxy, const glm::dvec3& ori
             if (!std::isfinite(inverse[column][row]))
                 return glm::mat4(0.0f);
     return inverse;
+}
+
+// worldFromProxy need not be: without an inverse it stands for nothing.
+void requireFinite(const MaterialSettings& settings)
+{
+    const auto require = [](std::span<const float> numbers, const char* name) {
+        if (!std::all_of(numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); }))
+            throw Error(ErrorKind::badArgument, "a material's " + std::string(name),
+                        "a component is not finite", "give finite numbers");
+    };
+    require({glm::value_ptr(settings.tint), 3}, "tint");
+    require({&settings.blend, 1}, "blend");
+    require({glm::value_ptr(settings.probeFromWorld), 9}, "turn of the map");
+    require({glm::value_ptr(settings.worldFromView), 16}, "view");
+    const glm::vec3 origin(settings.origin);
+    require({glm::value_ptr(origin), 3}, "origin");
 }
 
 gl::Sampler makeSampler(GLenum minified, GLenum magnified)
@@ -64,9 +83,14 @@ struct ProbeBinding::Implementation
     int firstUnit, units;
     std::string prefix;
     gl::Sampler filtered, linear, nearest;
-    float mostAnisotropy; // 1: not asked for, or the driver has none
+    float mostAnisotropy;            // 1: not asked for, or the driver has none
+    std::optional<MapKind> lookedUp; // that the program looks up, if any
 
-    int location(const char* name) const { return glGetUniformLocation(program, (prefix + name).c_str()); }
+    int location(const std::string& name) const
+    {
+        return glGetUniformLocation(program, (prefix + name).c_str());
+    }
+    void requireMadeFor(MapKind given) const;
     void setUniforms(const ReflectionMap& map, const MaterialSettings& settings) const;
     unsigned int colourSampler(const ReflectionMap& map, const MaterialSettings& settings) const;
 };
@@ -102,15 +126,28 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
                         std::to_string(firstUnit + units - 1) + " do not lie within the driver's " +
                         std::to_string(limit),
                     "name another first unit");
-    implementation_ = std::make_unique<Implementation>(
-        Implementation{program, firstUnit, units, std::move(prefix),
-                       makeSampler(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR), makeSampler(GL_LINEAR, GL_LINEAR),
-                       makeSampler(GL_NEAREST, GL_NEAREST), isAnisotropic ? mostAnisotropy() : 1.0f});
+    std::optional<MapKind> lookedUp;
+    for (const MapInfo& info : maps())
+        if (glGetUniformLocation(program, (prefix + reflect::mapFromWorld(info.kind)).c_str()) >= 0)
+            lookedUp = info.kind;
+    implementation_ = std::make_unique<Implementation>(Implementation{
+        program, firstUnit, units, std::move(prefix), makeSampler(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR),
+        makeSampler(GL_LINEAR, GL_LINEAR), makeSampler(GL_NEAREST, GL_NEAREST),
+        isAnisotropic ? mostAnisotropy() : 1.0f, lookedUp});
 }
 
 ProbeBinding::~ProbeBinding() = default;
 ProbeBinding::ProbeBinding(ProbeBinding&&) noexcept = default;
 ProbeBinding& ProbeBinding::operator=(ProbeBinding&&) noexcept = default;
+
+void ProbeBinding::Implementation::requireMadeFor(MapKind given) const
+{
+    if (lookedUp && *lookedUp != given)
+        throw Error(ErrorKind::badArgument, "a binding of a reflection map",
+                    "it is " + std::string(mapInfo(given).name) + " and the program looks up " +
+                        std::string(mapInfo(*lookedUp).name),
+                    "make the program with reflectionGlsl of the same map");
+}
 
 void ProbeBinding::Implementation::setUniforms(const ReflectionMap& map,
                                                const MaterialSettings& settings) const
@@ -125,7 +162,7 @@ void ProbeBinding::Implementation::setUniforms(const ReflectionMap& map,
     glUniform1i(location("nearestLevel"), map.nearestLevel);
     const glm::mat3 probeFromWorld(glm::transpose(glm::dmat3(map.worldFromProbe))); // a rotation
     const glm::mat3 mapFromWorld = probeFromWorld * settings.probeFromWorld;
-    glUniformMatrix3fv(location("mapFromWorld"), 1, GL_FALSE, glm::value_ptr(mapFromWorld));
+    glUniformMatrix3fv(location(reflect::mapFromWorld(map.map)), 1, GL_FALSE, glm::value_ptr(mapFromWorld));
     const glm::vec3 centre(glm::dvec3(map.worldFromProbe[3]) - settings.origin);
     glUniform3fv(location("centreInWorld"), 1, glm::value_ptr(centre));
     const glm::vec4 textureFromSquare =
@@ -152,7 +189,7 @@ unsigned int ProbeBinding::Implementation::colourSampler(const ReflectionMap& ma
         return (settings.filtering == Filtering::linear ? linear : nearest).name();
     if (mostAnisotropy > 1.0f)
         glSamplerParameterf(filtered.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
-                            std::clamp(settings.anisotropy, 1.0f, mostAnisotropy));
+                            std::max(1.0f, std::min(mostAnisotropy, settings.anisotropy))); // NaN: the most
     return filtered.name();
 }
 
@@ -161,6 +198,8 @@ ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialS
     gl::requireContext();
     mapInfo(map.map); // throws
     const Implementation& self = *implementation_;
+    self.requireMadeFor(map.map);
+    requireFinite(settings);
     if (glIsTexture(map.colourTexture) != GL_TRUE)
         throw Error(ErrorKind::badArgument, "a binding of a reflection map", "it has no colour texture",
                     "capture or upload a map first");

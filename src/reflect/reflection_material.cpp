@@ -1,6 +1,7 @@
 #include <mirrorball/reflect/reflection_material.h>
 
 #include "enumeration.h"
+#include "reflect/uniform_names.h"
 #include "reflect_shaders.h"
 
 #include <mirrorball/maps/measures.h>
@@ -89,6 +90,7 @@ std::string reflectionGlsl(const ReflectionMaterial& material)
     text = replaced(text, "MIRRORBALL_PARALLAX", material.lookup == Lookup::infinite ? "0" : "1");
     text = replaced(text, "MIRRORBALL_LAYERED", material.lookup == Lookup::layered ? "1" : "0");
     text = replaced(text, "MIRRORBALL_BOX", material.lookup == Lookup::box ? "1" : "0");
+    text = replaced(text, "mapFromWorld", reflect::mapFromWorld(material.map));
     return mapsGlsl(material) + replaced(text, "mirrorball_", material.prefix);
 }
 

@@ -15,6 +15,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 using namespace mirrorball;
 
@@ -125,6 +126,8 @@ void checkDescs()
     refused({.worldFromProbe = glm::dmat4(std::nan(""))});
     refused({.worldFromProbe = glm::dmat4(0.0)});
     refused({.captureOrigin = glm::dvec3(std::nan(""))});
+    refused({.background = {0.0f, std::nanf(""), 0.0f, 1.0f}});
+    refused({.background = {0.0f, 0.0f, 0.0f, std::numeric_limits<float>::infinity()}});
     refused({.map = MapKind::cube, .method = CaptureMethod::perVertex, .depthTerm = DepthTerm::textbook});
 }
 

@@ -13,6 +13,7 @@
 #include <mirrorball/reflect/reflection_material.h>
 
 #include <cstdio>
+#include <limits>
 
 using namespace mirrorball;
 
@@ -27,10 +28,14 @@ struct Fixture
     GLuint program;
     int units;
 
-    explicit Fixture(Lookup lookup)
-        : probe({.n = 16, .near = 0.1f, .far = 50.0f, .layersOfDepth = lookup == Lookup::layered ? 2 : 1}),
+    explicit Fixture(Lookup lookup, MapKind map = MapKind::tennisBall)
+        : probe({.map = map,
+                 .n = 16,
+                 .near = 0.1f,
+                 .far = 50.0f,
+                 .layersOfDepth = lookup == Lookup::layered ? 2 : 1}),
           program(tests::makeProgram(tests::fullScreenVertexSource,
-                                     "#version 330 core\n" + reflectionGlsl({.lookup = lookup}) +
+                                     "#version 330 core\n" + reflectionGlsl({.map = map, .lookup = lookup}) +
                                          "in vec2 uv; out vec4 colour;\n"
                                          "void main() { colour = mirrorball_reflection(vec3(uv, 2), vec3(uv, "
                                          "1), vec3(0, 0, 5)); }\n")),
@@ -146,6 +151,48 @@ void checkNumbersWithoutName()
     CHECK_THROWS(reflectionGlsl({.detail = static_cast<LevelOfDetail>(-1)}), ErrorKind::badArgument);
 }
 
+// A map of another kind than the program looks up would be a wrong picture.
+void checkOtherMaps(Lookup lookup)
+{
+    for (const MapInfo& made : maps()) {
+        const Fixture fixture(lookup, made.kind);
+        const ProbeBinding binding(fixture.program, firstUnit);
+        ReflectionMap map = fixture.probe.map();
+        for (const MapInfo& given : maps()) {
+            map.map = given.kind;
+            if (given.kind == made.kind)
+                checkBound(fixture, binding, std::string(given.name));
+            else
+                report(tests::changesBy([&] {
+                           CHECK_THROWS(const auto bound = binding.bind(map), ErrorKind::badArgument);
+                       }),
+                       std::string(given.name) + " for a program of " + std::string(made.name));
+        }
+    }
+}
+
+void checkSettingsThatAreNotFinite()
+{
+    const Fixture fixture(Lookup::distance);
+    const ProbeBinding binding(fixture.program, firstUnit);
+    for (const float wrong :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        const MaterialSettings refused[] = {{.tint = {1.0f, wrong, 1.0f}},
+                                            {.blend = wrong},
+                                            {.probeFromWorld = glm::mat3(wrong)},
+                                            {.worldFromView = glm::mat4(wrong)},
+                                            {.origin = {0.0, 0.0, static_cast<double>(wrong)}}};
+        for (const MaterialSettings& settings : refused)
+            report(tests::changesBy([&] {
+                       CHECK_THROWS(const auto bound = binding.bind(fixture.probe.map(), settings),
+                                    ErrorKind::badArgument);
+                   }),
+                   "settings that are not finite");
+        const auto bound = binding.bind(fixture.probe.map(), {.anisotropy = wrong});
+        report(tests::takeErrors(), "anisotropy without end");
+    }
+}
+
 } // namespace
 
 int main()
@@ -156,6 +203,9 @@ int main()
         checkUnderHostileStates(lookup, hostile);
     checkRefused(hostile);
     checkNumbersWithoutName();
+    checkSettingsThatAreNotFinite();
+    for (const Lookup lookup : {Lookup::infinite, Lookup::box, Lookup::layered})
+        checkOtherMaps(lookup);
     std::printf("%zu hostile states\n", hostile.names().size());
     return 0;
 }

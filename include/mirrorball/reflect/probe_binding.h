@@ -35,7 +35,7 @@ struct MaterialSettings
     glm::mat4 worldFromView{1.0f};  // for inputs in view space: the inverse of the view matrix
     glm::dvec3 origin{0.0};         // world positions given to the shader are relative to this point
     Filtering filtering = Filtering::linear;
-    float anisotropy = 8.0f; // the longest pixels that LevelOfDetail::anisotropic follows, width to length
+    float anisotropy = 8.0f; // the longest pixels that LevelOfDetail::anisotropic follows, length to width
     // For Lookup::sphere and Lookup::box: an affine transformation of the unit sphere, or of the cube
     // [-1, 1]³, onto what stands for the surroundings. Without an inverse everything is infinitely far.
     glm::dmat4 worldFromProxy{0.0};
@@ -67,7 +67,8 @@ public:
         std::unique_ptr<Saved> saved_;
     };
 
-    // Sets the uniforms (the current program stays current) and binds the textures.
+    // Sets the uniforms (the current program stays current) and binds the textures. Throws Error badArgument for a map
+    // without colours, or of another kind than the program looks up, and for settings that are not finite.
     [[nodiscard]] Bound bind(const ReflectionMap& map, const MaterialSettings& settings = {}) const;
 
 private:
