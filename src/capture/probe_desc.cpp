@@ -43,7 +43,7 @@ void requirePossible(const ReflectionProbe::Desc& desc)
     requireOneOf(desc.colour, ColourFormat::rgba8, "a probe's colour format", "ColourFormat");
     requireFinite(desc.captureOrigin, "a capture origin");
     requireFinite(glm::dvec3(desc.background), "a probe's background");
-    requireFinite(glm::dvec3(desc.background.a), "a probe's background");
+    requireFinite(glm::dvec3(static_cast<double>(desc.background.a)), "a probe's background");
     gl::requireContext();
     requireMapSize(desc.map, desc.n, desc.supersample);
     if (desc.colourTexture != 0 && desc.colourTexture == desc.distanceTexture)

@@ -1,5 +1,6 @@
 // benchmark: run time against error of every map and method, beside hand-written cube maps, in one run.
 #include "command_line.h"
+#include "environment.h"
 #include "findings.h"
 #include "freed_memory.h"
 #include "look_up_run.h"
@@ -47,6 +48,7 @@ void printChecks(const std::vector<Row>& rows)
 
 void measureAll(const Options& options, Circumstances circumstances)
 {
+    circumstances.revision = revision();
     std::vector<Group> plan;
     std::vector<LookUpGroup> lookUpPlan;
     if (options.part != Part::lookUps)

@@ -21,7 +21,7 @@ void writeCircumstances(std::ostream& out, const Circumstances& circumstances)
         << "Written by `" << circumstances.command
         << "`. docs/benchmark.md says how to read and repeat it.\n\n"
         << "- " << circumstances.driver << "\n- " << processor() << "\n- " << today() << ", revision "
-        << revision() << "\n- medians of " << circumstances.frames
+        << circumstances.revision << "\n- medians of " << circumstances.frames
         << " frames a contender, drawn in turn; the ratios are to the culled six-pass cube of the same "
            "scene, "
            "size and back-face culling, and mean more than the times\n";

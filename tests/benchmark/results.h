@@ -21,7 +21,8 @@ struct Circumstances
     std::string command; // what was asked for
     int frames;
     std::vector<std::string> missingScenes;
-    bool isComplete = false; // all that was asked for is measured
+    bool isComplete = false;   // all that was asked for is measured
+    std::string revision = {}; // when it began: a run of hours may see commits
 };
 
 } // namespace tests::benchmark
