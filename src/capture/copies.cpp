@@ -8,6 +8,8 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+
 namespace mirrorball::capture {
 
 namespace {
@@ -191,11 +193,13 @@ void Copies::gatherNearestLevel(const gl::Texture& from, const gl::Texture& dist
     // while another one is drawn into.
     const int between = level / 2;
     const bool isItself = &from == &distance;
+    // Of about 1.4 degrees one texel each way, and two of each block.
+    const int stride = isItself ? std::max(1, std::min(size.width / 64, (1 << between) / 2)) : 1;
     if (between > 0) {
         beginGather(distance);
         readOnly(0, 0);
         beginGather(from);
-        gather(distance, between, sizeOf(between), isItself && between >= 2 ? 2 : 1);
+        gather(distance, between, sizeOf(between), stride);
     }
     beginGather(distance);
     readOnly(between, between);

@@ -39,8 +39,8 @@ public:
     void gatherNearest(const gl::Texture& from, const gl::Texture& to, const MapSize& size);
 
     // Fills a level of a distance texture whose level 0 has this size; the levels between are not filled. All texels of
-    // `from` are asked, which holds the nearest of each few, or of the texture itself, in blocks 4 wide or more, every
-    // second one each way, a quarter in all.
+    // `from` are asked, which holds the nearest of each few, or of the texture itself one every 1.4 degrees or so each way:
+    // the steps of a march are wider.
     void gatherNearestLevel(const gl::Texture& from, const gl::Texture& distance, const MapSize& size,
                             int level);
 
