@@ -23,11 +23,12 @@ gl::Program link(std::string_view fragment, const std::string& define, const std
         name);
 }
 
+// Into all layers: softpipe's mistake with them (layer_check.h) needs discard or a depth test.
 gl::Program linkNearest()
 {
     const std::string version = "#version 330 core\n", name = "the nearest of many distances";
     return gl::linkProgram(
-        {{GL_VERTEX_SHADER, version + std::string(shaders::copyLayersVertex), "the vertex shader of " + name},
+        {{GL_VERTEX_SHADER, version + std::string(shaders::copyVertex), "the vertex shader of " + name},
          {GL_GEOMETRY_SHADER, version + std::string(shaders::copyLayersGeometry),
           "the geometry shader of " + name},
          {GL_FRAGMENT_SHADER, version + std::string(shaders::copyNearest), "the fragment shader of " + name}},
@@ -193,8 +194,8 @@ void Copies::gatherNearestLevel(const gl::Texture& from, const gl::Texture& dist
     // while another one is drawn into.
     const int between = level / 2;
     const bool isItself = &from == &distance;
-    // Of about 1.4 degrees one texel each way, and two of each block.
-    const int stride = isItself ? std::max(1, std::min(size.width / 64, (1 << between) / 2)) : 1;
+    // 16 texels along a block, which is 22.5 degrees wide, and two at least along one of those between.
+    const int stride = isItself ? std::max(1, std::min((1 << level) / 16, (1 << between) / 2)) : 1;
     if (between > 0) {
         beginGather(distance);
         readOnly(0, 0);

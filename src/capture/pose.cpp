@@ -1,7 +1,10 @@
 #include "capture/pose.h"
 
+#include "finite.h"
+
 #include <mirrorball/error.h>
 
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <cmath>
@@ -11,10 +14,7 @@ namespace mirrorball::capture {
 Pose rigidPose(const glm::dmat4& worldFromProbe)
 {
     const std::string asked = "a probe's pose";
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(worldFromProbe[column][row]))
-                throw Error(ErrorKind::badArgument, asked, "an element is not finite", "give finite numbers");
+    requireFinite(glm::value_ptr(worldFromProbe), 16, asked);
     const glm::dmat3 linear(worldFromProbe);
     const double scale = std::cbrt(std::abs(glm::determinant(linear)));
     if (!(scale > 0.0))
@@ -33,12 +33,6 @@ Pose rigidPose(const glm::dmat4& worldFromProbe)
     glm::dmat4 rigid(rotation);
     rigid[3] = glm::dvec4(glm::dvec3(worldFromProbe[3]), 1.0);
     return {rigid, scale};
-}
-
-void requireFinite(const glm::dvec3& point, const std::string& asked)
-{
-    if (!(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)))
-        throw Error(ErrorKind::badArgument, asked, "a component is not finite", "give finite numbers");
 }
 
 } // namespace mirrorball::capture

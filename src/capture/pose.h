@@ -2,9 +2,6 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
-
-#include <string>
 
 namespace mirrorball::capture {
 
@@ -17,8 +14,5 @@ struct Pose
 
 // Throws Error badArgument for what is not finite, mirrors, shears or scales unequally.
 Pose rigidPose(const glm::dmat4& worldFromProbe);
-
-// Throws Error badArgument.
-void requireFinite(const glm::dvec3& point, const std::string& asked);
 
 } // namespace mirrorball::capture

@@ -1,12 +1,14 @@
 #include "capture/map_textures.h"
-#include "capture/pose.h"
 #include "capture/probe_implementation.h"
 #include "enumeration.h"
+#include "finite.h"
 #include "gl/context.h"
 
 #include <mirrorball/error.h>
 
 #include <epoxy/gl.h>
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <string>
 
@@ -41,9 +43,8 @@ void requirePossible(const ReflectionProbe::Desc& desc)
     requireOneOf(desc.layers, LayerOrder::allAtOnce, "a probe's order of layers", "LayerOrder");
     requireOneOf(desc.depthTerm, DepthTerm::textbook, "a probe's depth term", "DepthTerm");
     requireOneOf(desc.colour, ColourFormat::rgba8, "a probe's colour format", "ColourFormat");
-    requireFinite(desc.captureOrigin, "a capture origin");
-    requireFinite(glm::dvec3(desc.background), "a probe's background");
-    requireFinite(glm::dvec3(static_cast<double>(desc.background.a)), "a probe's background");
+    requireFinite(glm::value_ptr(desc.captureOrigin), 3, "a capture origin");
+    requireFinite(glm::value_ptr(desc.background), 4, "a probe's background");
     gl::requireContext();
     requireMapSize(desc.map, desc.n, desc.supersample);
     if (desc.colourTexture != 0 && desc.colourTexture == desc.distanceTexture)

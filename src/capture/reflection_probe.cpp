@@ -6,6 +6,7 @@
 #include "capture/pose.h"
 #include "capture/probe_implementation.h"
 #include "capture/views.h"
+#include "finite.h"
 #include "gl/context.h"
 #include "gl/state_guard.h"
 
@@ -170,7 +171,7 @@ glm::dmat4 ReflectionProbe::cheapestPose(std::span<const CaptureMesh> meshes) co
 
 void ReflectionProbe::setCaptureOrigin(const glm::dvec3& captureOrigin)
 {
-    capture::requireFinite(captureOrigin, "a capture origin");
+    requireFinite(glm::value_ptr(captureOrigin), 3, "a capture origin");
     implementation_->desc.captureOrigin = captureOrigin;
 }
 

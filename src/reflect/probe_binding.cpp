@@ -1,5 +1,6 @@
 #include <mirrorball/reflect/probe_binding.h>
 
+#include "finite.h"
 #include "gl/context.h"
 #include "gl/state_guard.h"
 #include "reflect/uniform_names.h"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 
 namespace mirrorball {
 
@@ -35,20 +35,14 @@ glm::mat4 proxyFromWorld(const glm::dmat4& worldFromProxy, const glm::dvec3& ori
     return inverse;
 }
 
-// worldFromProxy need not be: without an inverse it stands for nothing.
-void requireFinite(const MaterialSettings& settings)
+// Of worldFromProxy and anisotropy anything means something.
+void requireUsable(const MaterialSettings& settings)
 {
-    const auto require = [](std::span<const float> numbers, const char* name) {
-        if (!std::all_of(numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); }))
-            throw Error(ErrorKind::badArgument, "a material's " + std::string(name),
-                        "a component is not finite", "give finite numbers");
-    };
-    require({glm::value_ptr(settings.tint), 3}, "tint");
-    require({&settings.blend, 1}, "blend");
-    require({glm::value_ptr(settings.probeFromWorld), 9}, "turn of the map");
-    require({glm::value_ptr(settings.worldFromView), 16}, "view");
-    const glm::vec3 origin(settings.origin);
-    require({glm::value_ptr(origin), 3}, "origin");
+    requireFinite(glm::value_ptr(settings.tint), 3, "a material's tint");
+    requireFinite(&settings.blend, 1, "a material's blend");
+    requireFinite(glm::value_ptr(settings.probeFromWorld), 9, "a material's turn of the map");
+    requireFinite(glm::value_ptr(settings.worldFromView), 16, "a material's view");
+    requireFinite(glm::value_ptr(settings.origin), 3, "a material's origin");
 }
 
 gl::Sampler makeSampler(GLenum minified, GLenum magnified)
@@ -199,7 +193,7 @@ ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialS
     mapInfo(map.map); // throws
     const Implementation& self = *implementation_;
     self.requireMadeFor(map.map);
-    requireFinite(settings);
+    requireUsable(settings);
     if (glIsTexture(map.colourTexture) != GL_TRUE)
         throw Error(ErrorKind::badArgument, "a binding of a reflection map", "it has no colour texture",
                     "capture or upload a map first");

@@ -253,7 +253,7 @@ void checkNearest(const tests::SixWalls& walls, MapKind map, int size)
         const auto all = tests::readTextureLayer(probe.map().distanceTexture, layer, width, height);
         const auto nearest =
             tests::readTextureLayer(probe.map().distanceTexture, layer, columns, rows, level);
-        const int step = size < 128 ? 1 : 2; // from there on a quarter of the texels is asked
+        const int step = std::max(size / 64, 1); // one texel every 1.4 degrees is asked
         for (int y = 0; y < height; y += step)
             for (int x = 0; x < width; x += step) {
                 const int block = y * rows / height * columns + x * columns / width;
@@ -367,7 +367,7 @@ int main(int argc, char** argv)
     for (const MapInfo& info : maps()) {
         if (!only.empty() && info.name != only)
             continue;
-        for (const int size : {16, 32, 45, 128})
+        for (const int size : {16, 32, 45, 64, 128, 256})
             checkNearest(walls, info.kind, size);
         checkSupersampling(walls, info.kind, info.components == 1 ? 4 : 3);
         checkViews(walls, info.kind, LayerOrder::oneAtATime);

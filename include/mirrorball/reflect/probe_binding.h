@@ -68,7 +68,7 @@ public:
     };
 
     // Sets the uniforms (the current program stays current) and binds the textures. Throws Error badArgument for a map
-    // without colours, or of another kind than the program looks up, and for settings that are not finite.
+    // without colours, or of another kind than the program looks up, and for a tint, blend, turn, view or origin that is not finite.
     [[nodiscard]] Bound bind(const ReflectionMap& map, const MaterialSettings& settings = {}) const;
 
 private:
