@@ -170,10 +170,9 @@ GlScene::GlMesh GlScene::upload(const Mesh& mesh, const glm::dvec3& worldOffset)
     GlMesh result;
     result.bounds = boundsOf(vertices);
     result.longestEdge = longestEdgeOf(mesh);
-    if (mesh.triangles.size() <= fewTriangles)
-        for (const auto& triangle : mesh.triangles)
-            result.few.push_back({vertices[triangle[0]].position, vertices[triangle[1]].position,
-                                  vertices[triangle[2]].position});
+    for (const Vertex& vertex : vertices)
+        result.positions.push_back(vertex.position);
+    result.corners = mesh.triangles;
     result.triangleCount = mesh.triangles.size();
     result.material = mesh.material;
     result.vertexArray = mirrorball::gl::VertexArray::create();
@@ -206,12 +205,28 @@ std::size_t GlScene::triangleCount() const
 
 std::optional<float> GlScene::nearestDistance(const GlMesh& mesh, const glm::vec3& centre)
 {
-    if (mesh.few.empty())
+    if (mesh.corners.size() > fewTriangles)
         return std::nullopt;
     float nearest = std::numeric_limits<float>::infinity();
-    for (const Triangle& triangle : mesh.few)
-        nearest = std::min(nearest, distanceToTriangle(centre, triangle));
+    for (const auto& [a, b, c] : mesh.corners)
+        nearest = std::min(
+            nearest, distanceToTriangle(centre, {mesh.positions[a], mesh.positions[b], mesh.positions[c]}));
     return nearest;
+}
+
+std::optional<float> GlScene::widestAngle(const GlMesh& mesh, const glm::vec3& centre)
+{
+    if (glm::distance(mesh.bounds.centre, centre) - mesh.bounds.radius > 4.0f * mesh.longestEdge)
+        return std::nullopt; // bounds say that it is below a quarter radian
+    std::vector<glm::vec3> directions;
+    for (const glm::vec3& position : mesh.positions)
+        directions.push_back(glm::normalize(position - centre));
+    float longest = 0.0f; // chord
+    for (const auto& triangle : mesh.corners)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            longest = std::max(
+                longest, glm::distance(directions[triangle[corner]], directions[triangle[(corner + 1) % 3]]));
+    return 2.0f * std::asin(std::min(0.5f * longest, 1.0f));
 }
 
 std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureProgram& program,
@@ -224,6 +239,7 @@ std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureP
                           .bounds = meshes_[index].bounds,
                           .longestEdge = meshes_[index].longestEdge,
                           .nearestDistance = nearestDistance(meshes_[index], centre),
+                          .widestAngle = widestAngle(meshes_[index], centre),
                           .triangles = meshes_[index].triangleCount});
     return result;
 }

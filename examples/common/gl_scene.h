@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,8 +57,6 @@ public:
     void drawAll(unsigned int program, const PhongView& view) const;
 
 private:
-    using Triangle = std::array<glm::vec3, 3>;
-
     struct GlMesh
     {
         mirrorball::gl::VertexArray vertexArray;
@@ -66,11 +65,13 @@ private:
         int material;
         mirrorball::Sphere bounds;
         float longestEdge;
-        std::vector<Triangle> few; // of walls and the like, where there are no more than a few
+        std::vector<glm::vec3> positions; // in world space, relative to the origin
+        std::vector<std::array<std::uint32_t, 3>> corners;
     };
 
     static GlMesh upload(const Mesh& mesh, const glm::dvec3& worldOffset);
     static std::optional<float> nearestDistance(const GlMesh& mesh, const glm::vec3& centre);
+    static std::optional<float> widestAngle(const GlMesh& mesh, const glm::vec3& centre);
 
     std::vector<GlMesh> meshes_;
     std::vector<Material> materials_;

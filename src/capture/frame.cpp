@@ -115,6 +115,8 @@ Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
                 static_cast<double>(mesh.bounds->radius), static_cast<double>(mesh.longestEdge)};
         variant.large = !(seen.longestEdge < largeSpan * (glm::length(seen.centre) - seen.radius));
     }
+    if (mesh.widestAngle && static_cast<double>(*mesh.widestAngle) < largeSpan)
+        variant.large = false;
     if (method_ == CaptureMethod::exact)
         return variant;
     if (isPiecewiseLinear(map_)) {

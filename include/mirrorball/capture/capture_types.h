@@ -67,6 +67,10 @@ struct CaptureMesh
     // a room's walls. Spares the second layer of depth what nothing can hide, and cube and octahedral maps a test against
     // the probe's near, which keeps a rasteriser from testing depth early.
     std::optional<float> nearestDistance = std::nullopt;
+    // No edge of a triangle spans a wider angle than this, in radians, as seen from the probe: more than bounds that hold
+    // the probe can tell. Spares exact capture what only triangles wider than 15 degrees need; where the promise is not
+    // kept, the map is right and takes longer.
+    std::optional<float> widestAngle = std::nullopt;
     std::size_t triangles = 0;  // for the report only
     bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
 };
