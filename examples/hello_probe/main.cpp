@@ -45,13 +45,20 @@ struct Hello
     CaptureProgram captureProgram{{.vertexSource = vertex, .fragmentSource = fragment}};
     ReflectionProbe probe{{.map = MapKind::tennisBall, .n = 256, .halfExtent = 0.9}};
     const ProbeBinding binding{ballProgram.name()};
+    const std::vector<CaptureMesh> meshes = allButTheBall(); // for as long as neither they nor the probe move
+
+    // The ball is the last mesh.
+    std::vector<CaptureMesh> allButTheBall()
+    {
+        std::vector<CaptureMesh> all = scene.captureMeshes(captureProgram);
+        all.pop_back();
+        return all;
+    }
 
     void draw(float seconds, const glm::ivec2& pixels)
     {
-        // Pass 1: everything but the ball, which is the last mesh.
+        // Pass 1: everything but the ball.
         const glm::vec3 light(5 * std::sin(seconds), 3, 5 * std::cos(seconds));
-        std::vector<CaptureMesh> meshes = scene.captureMeshes(captureProgram);
-        meshes.pop_back();
         probe.capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
             scene.drawMesh(mesh.id, draw.program, {.light = light, .eye = glm::vec3(0.0f)});
         });

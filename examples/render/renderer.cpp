@@ -13,6 +13,9 @@ Renderer::Renderer(const Setup& setup, const Options& options, const Canvas& can
 {
     for (const Mirror& mirror : setup.mirrors)
         addMirror(mirror, options);
+    for (DrawnMirror& mirror : mirrors_)
+        if (mirror.probe)
+            listMeshes(mirror);
 }
 
 mirrorball::CaptureReport Renderer::capture()
@@ -71,32 +74,32 @@ void Renderer::addMirror(const Mirror& mirror, const Options& options)
     mirrors_.push_back(std::move(drawn));
 }
 
-// The scene and the other reflectors, which are plain objects here; the reflector itself is left out.
-mirrorball::CaptureReport Renderer::capture(DrawnMirror& mirror)
+// The scene and the other reflectors, which are plain objects here; the reflector itself is left out. Nothing moves.
+void Renderer::listMeshes(DrawnMirror& mirror)
 {
     std::vector<const GlScene*> parts = {&canvas_.scene()};
     for (const DrawnMirror& other : mirrors_)
         if (&other != &mirror)
             parts.push_back(&other.body.plain());
-
-    struct Piece
-    {
-        const GlScene* part;
-        std::size_t mesh;
-    };
-    const glm::dvec3 centre(mirror.probe->desc().worldFromProbe[3]);
-    const glm::vec3 centreFromOrigin(centre - setup_.origin);
-    std::vector<Piece> pieces;
-    std::vector<CaptureMesh> meshes;
     for (const GlScene* part : parts)
-        for (CaptureMesh mesh : part->captureMeshes(captureProgram_, centreFromOrigin)) {
-            pieces.push_back({part, mesh.id});
-            mesh.id = meshes.size();
-            meshes.push_back(mesh);
+        for (CaptureMesh mesh : part->captureMeshes(captureProgram_, centreFromOrigin(mirror))) {
+            mirror.pieces.push_back({part, mesh.id});
+            mesh.id = mirror.meshes.size();
+            mirror.meshes.push_back(mesh);
         }
-    const PhongView phong{canvas_.pictureView().phong.light, centreFromOrigin};
-    return mirror.probe->capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
-        pieces[mesh.id].part->drawMesh(pieces[mesh.id].mesh, draw.program, phong, 1, draw.primitive);
+}
+
+glm::vec3 Renderer::centreFromOrigin(const DrawnMirror& mirror) const
+{
+    return glm::vec3(glm::dvec3(mirror.probe->desc().worldFromProbe[3]) - setup_.origin);
+}
+
+mirrorball::CaptureReport Renderer::capture(DrawnMirror& mirror)
+{
+    const PhongView phong{canvas_.pictureView().phong.light, centreFromOrigin(mirror)};
+    return mirror.probe->capture(mirror.meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
+        const Piece& piece = mirror.pieces[mesh.id];
+        piece.part->drawMesh(piece.mesh, draw.program, phong, 1, draw.primitive);
     });
 }
 

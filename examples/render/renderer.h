@@ -29,6 +29,13 @@ public:
     const mirrorball::ReflectionMap& map(std::size_t mirror) const { return mirrors_[mirror].map(); }
 
 private:
+    // What a probe's meshes are drawn from, by their ids.
+    struct Piece
+    {
+        const examples::GlScene* part;
+        std::size_t mesh;
+    };
+
     // One reflector and where its map comes from.
     struct DrawnMirror
     {
@@ -36,11 +43,15 @@ private:
         std::optional<mirrorball::ReflectionProbe> probe;
         std::optional<mirrorball::ImageMap> images;
         mirrorball::MaterialSettings settings;
+        std::vector<Piece> pieces = {};
+        std::vector<mirrorball::CaptureMesh> meshes = {}; // of the pieces, as the probe wants them
 
         const mirrorball::ReflectionMap& map() const { return probe ? probe->map() : images->map(); }
     };
 
     void addMirror(const Mirror& mirror, const Options& options);
+    void listMeshes(DrawnMirror& mirror);
+    glm::vec3 centreFromOrigin(const DrawnMirror& mirror) const; // of the probe
     mirrorball::CaptureReport capture(DrawnMirror& mirror);
 
     const Setup& setup_;

@@ -222,12 +222,6 @@ ProbeBinding::Bound ProbeBinding::bind(const ReflectionMap& map, const MaterialS
 ProbeBinding::Bound::Bound(std::unique_ptr<Saved> saved) : saved_(std::move(saved)) {}
 ProbeBinding::Bound::Bound(Bound&&) noexcept = default;
 
-ProbeBinding::Bound& ProbeBinding::Bound::operator=(Bound&& other) noexcept
-{
-    std::swap(saved_, other.saved_);
-    return *this;
-}
-
 ProbeBinding::Bound::~Bound()
 {
     if (!saved_ || !gl::contextIsCurrent())

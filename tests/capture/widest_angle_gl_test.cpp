@@ -18,20 +18,26 @@ namespace {
 
 struct Captured
 {
-    std::vector<float> colour, distance;
+    std::vector<std::vector<float>>
+        textures; // colours and distances, of both layers of depth where there are two
     std::set<unsigned int> programs;
 };
 
-template <typename Draw>
-Captured captured(MapKind map, std::vector<CaptureMesh> meshes, std::optional<float> widestAngle,
-                  const Draw& draw)
+ReflectionProbe::Desc descOf(MapKind map)
 {
-    ReflectionProbe probe({.map = map,
-                           .n = 32,
-                           .near = 0.1f,
-                           .colour = ColourFormat::rgba32f,
-                           .mipLevels = false,
-                           .method = CaptureMethod::exact});
+    return {.map = map,
+            .n = 32,
+            .near = 0.1f,
+            .colour = ColourFormat::rgba32f,
+            .mipLevels = false,
+            .method = CaptureMethod::exact};
+}
+
+template <typename Draw>
+Captured captured(const ReflectionProbe::Desc& desc, std::vector<CaptureMesh> meshes,
+                  std::optional<float> widestAngle, const Draw& draw)
+{
+    ReflectionProbe probe(desc);
     for (CaptureMesh& mesh : meshes) {
         mesh.bounds.reset();
         mesh.widestAngle = widestAngle;
@@ -41,22 +47,28 @@ Captured captured(MapKind map, std::vector<CaptureMesh> meshes, std::optional<fl
         result.programs.insert(asked.program);
         draw(mesh, asked);
     });
-    result.colour = tests::readMap(probe.map().colourTexture, map, probe.map().n);
-    result.distance = tests::readMap(probe.map().distanceTexture, map, probe.map().n);
+    const ReflectionMap& map = probe.map();
+    for (const unsigned int texture : {map.colourTexture, map.distanceTexture})
+        result.textures.push_back(tests::readMap(texture, map.map, map.n));
+    if (desc.layersOfDepth == 2)
+        for (const unsigned int texture : {map.hiddenColourTexture, map.hiddenDistanceTexture})
+            result.textures.push_back(tests::readMap(texture, map.map, map.hiddenN));
     return result;
 }
 
 template <typename Draw>
-void check(MapKind map, const std::vector<CaptureMesh>& meshes, float promise, const Draw& draw)
+void check(const ReflectionProbe::Desc& desc, const std::vector<CaptureMesh>& meshes, float promise,
+           const Draw& draw)
 {
-    const Captured untold = captured(map, meshes, std::nullopt, draw);
-    const Captured told = captured(map, meshes, promise, draw);
-    CHECK(tests::sameBits(told.colour, untold.colour) && tests::sameBits(told.distance, untold.distance));
-    CHECK(untold.programs.size() == 1 && told.programs.size() == 1);
+    const Captured untold = captured(desc, meshes, std::nullopt, draw);
+    const Captured told = captured(desc, meshes, promise, draw);
+    for (std::size_t index = 0; index < untold.textures.size(); ++index)
+        CHECK(tests::sameBits(told.textures[index], untold.textures[index]));
+    CHECK(told.programs.size() == untold.programs.size());
     CHECK(told.programs != untold.programs);
     // What is too wide, or no number, is as good as nothing.
     for (const float useless : {0.27f, std::numeric_limits<float>::quiet_NaN()})
-        CHECK(captured(map, meshes, useless, draw).programs == untold.programs);
+        CHECK(captured(desc, meshes, useless, draw).programs == untold.programs);
 }
 
 } // namespace
@@ -73,14 +85,23 @@ void main() { colour = vec4(positionInWorld, 1.0); }
     const examples::Scene scene = examples::loadScene("builtin:room");
     const examples::GlScene room(scene, {0.1, 0.333, 0.01}); // where no texel lies on an edge
     CaptureProgram phong = examples::phongCaptureProgram();
-    for (const MapInfo& info : maps()) {
+    const auto checkBoth = [&](const ReflectionProbe::Desc& desc) {
         // The longest edge is 0.48 long and 2 away at least.
-        check(info.kind, tests::WallPatches::meshes(plain), 0.24f,
+        check(desc, tests::WallPatches::meshes(plain), 0.24f,
               [&](const CaptureMesh& mesh, const CaptureDraw& draw) { walls.draw(mesh.id, draw.primitive); });
-        check(info.kind, room.captureMeshes(phong), 0.0f,
-              [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
-                  room.drawMesh(mesh.id, draw.program, {});
-              });
+        check(desc, room.captureMeshes(phong), 0.0f, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
+            room.drawMesh(mesh.id, draw.program, {});
+        });
+    };
+    for (const MapInfo& info : maps()) {
+        ReflectionProbe::Desc desc = descOf(info.kind);
+        checkBoth(desc);
+        desc.layers = LayerOrder::allAtOnce;
+        checkBoth(desc);
+        desc.layersOfDepth = 2;
+        desc.layers = LayerOrder::oneAtATime;
+        desc.nearFirst = true;
+        checkBoth(desc);
     }
     return 0;
 }

@@ -7,8 +7,8 @@
 //
 // What is asked of them: #version 330 core or later; after the vertex shader's main, `position` is an
 // expression of type vec3 that holds the position in world space (relative to Desc::captureOrigin of the
-// probe); the colour is the fragment shader's first output. gl_Position as the host computes it is ignored,
-// clip distances too.
+// probe); the colour is the fragment shader's output with location 0, or else its first. gl_Position as the host
+// computes it is ignored, clip distances too.
 #pragma once
 
 #include <mirrorball/export.h>

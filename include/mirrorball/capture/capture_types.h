@@ -64,14 +64,15 @@ struct CaptureMesh
     std::optional<Sphere> bounds = std::nullopt;
     float longestEdge = std::numeric_limits<float>::infinity(); // in world space
     // No part of it is nearer to the probe than this, in world units: more than bounds around the probe can tell, as of
-    // a room's walls. Spares the second layer of depth what nothing can hide, and cube and octahedral maps a test against
-    // the probe's near, which keeps a rasteriser from testing depth early.
+    // a room's walls. Spares the second layer of depth what nothing can hide, and cube and octahedral maps, where bounds
+    // end before far, a test against the probe's near, which keeps a rasteriser from testing depth early. Where the
+    // promise is not kept, parts nearer than near are drawn, and the second layer lacks surfaces.
     std::optional<float> nearestDistance = std::nullopt;
     // No edge of a triangle spans a wider angle than this, in radians, as seen from the probe: more than bounds that hold
-    // the probe can tell. Spares exact capture what only triangles wider than 15 degrees need; where the promise is not
-    // kept, the map is right and takes longer.
+    // the probe can tell. Below 0.26 (14.9 degrees) it spares exact capture what only wider triangles need; else it has no
+    // effect. Where the promise is not kept, the map is right and takes longer.
     std::optional<float> widestAngle = std::nullopt;
-    std::size_t triangles = 0;  // for the report only
+    std::size_t triangles = 0;  // for the report and for cheapestPose
     bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
 };
 
@@ -80,7 +81,10 @@ struct CaptureMesh
 // samplers, its own uniforms and the current program, and leaves the rest as it is (docs/gl_state.md).
 struct CaptureDraw
 {
-    unsigned int program; // GL name, to set the host's own uniforms on
+    // GL name of one of the programs that a CaptureProgram becomes; another one may come when a mesh or the probe moves.
+    // Their uniforms are apart: set all of the host's own on this one, samplers and blocks too, and keep locations by this
+    // name. The eye of shading is the probe's centre, and no camera's frustum culls.
+    unsigned int program;
     int view; // 0 … viewCount - 1: a component, or an octant of the octahedral map; -1 for all at once
     unsigned int primitive = 4; // what glDraw* takes: GL_TRIANGLES (4), or GL_PATCHES for `tessellated` only
 };
@@ -92,13 +96,15 @@ enum class SideTarget { texture2d, rectangle };
 struct CaptureReport
 {
     int draws = 0;
-    // Mesh-and-view pairs that were not drawn, because they do not touch or because nothing can hide them from the first
-    // layer of depth.
+    // Mesh-and-view pairs that were not drawn, because they do not touch or, for the second layer of depth, because nothing
+    // can lie before them.
     int drawsCulled = 0;
     std::size_t triangles = 0; // sent, counted once for each draw
-    int drawsExact = 0;        // of the draws: by exact capture …
-    int drawsMapped = 0;       // … and by mapped vertices, where automatic found that enough
-    std::size_t texels = 0;    // of the map
+    // Of the draws: by exact capture, and by mapped vertices where automatic found that enough. Neither counts the linear
+    // draws of cube and octahedral maps, nor perVertex and tessellated ones.
+    int drawsExact = 0;
+    int drawsMapped = 0;
+    std::size_t texels = 0; // of the map
 };
 
 } // namespace mirrorball

@@ -45,9 +45,11 @@ public:
         glm::dmat4 worldFromProbe{1.0};
         // World positions that the host's vertex shader hands over are relative to this point.
         glm::dvec3 captureOrigin{0.0};
-        double halfExtent = 0.5;                  // half the side of the probe's cube, before scale
-        std::optional<float> near = std::nullopt; // radial; halfExtent * scale unless given
-        float far = 1000.0f;                      // radial; may be infinite
+        // Half the side of a cube around the centre with nothing in it but the reflector, before scale.
+        double halfExtent = 0.5;
+        // Radial distances in world units, not scaled; far may be infinite. What is nearer or farther is not drawn.
+        std::optional<float> near = std::nullopt; // halfExtent * scale unless given
+        float far = 1000.0f;
         ColourFormat colour = ColourFormat::rgba16f;
         // k: k × k samples a texel, for smooth edges. Colour is their mean; distance is that of one of them,
         // the nearest to the texel's centre.
@@ -75,7 +77,7 @@ public:
         // For scenes with many surfaces behind one another: where 32 meshes or more are drawn exactly into a view, one
         // layer at a time, they are from near to far instead of in the host's order, and triangles that lie behind
         // what is drawn already are left out. Of surfaces in one place, the first one drawn is shown: that may be
-        // another one then than in the host's own picture.
+        // another one then than in the host's own picture. For the capture that is given meshes.
         bool nearFirst = false;
         DepthTerm depthTerm = DepthTerm::radial;
         // 2: behind the first surface of each direction another one is captured, for Lookup::layered: the
@@ -90,7 +92,8 @@ public:
     using DrawMesh = std::function<void(const CaptureMesh&, const CaptureDraw&)>;
     using DrawScene = std::function<void(CaptureView&)>;
 
-    // Needs a current context of OpenGL 3.3 or later. Throws Error badArgument, noContext or unsupported.
+    // Needs a current context of OpenGL 3.3 or later. Throws Error badArgument, noContext, unsupported or, while transform
+    // feedback is active, hostBusy.
     explicit ReflectionProbe(const Desc& desc);
     ~ReflectionProbe();
     ReflectionProbe(ReflectionProbe&&) noexcept;
@@ -99,22 +102,25 @@ public:
     const Desc& desc() const;
     float near() const; // as resolved
 
-    // Moves the probe; takes effect with the next capture.
+    // Moves the probe; takes effect with the next capture. Throws Error badArgument for a pose that shears, mirrors, scales
+    // unevenly or is not finite.
     void setPose(const glm::dmat4& worldFromProbe);
     void setCaptureOrigin(const glm::dvec3& captureOrigin);
 
     // The pose, turned about the probe's centre, from which a capture of these meshes sends the fewest triangles
     // (CaptureMesh::triangles; of equals, that of the fewest draws), since seams pass between them: the present one or
     // the best of 256 turns spread evenly. Look-ups follow the pose, so that mirrors look the same. For a probe that
-    // stands still: it asks touches() some 500 times a mesh. Only meshes with bounds tell anything.
+    // stands still: it asks touches() 257 times for each mesh and view. Only meshes with bounds tell anything.
     glm::dmat4 cheapestPose(std::span<const CaptureMesh> meshes) const;
 
-    // Draws the meshes into a new map and swaps it in when all of it is done. What the callback throws is
-    // passed on after the state is restored. Throws Error hostBusy when called from inside a capture of the
-    // same probe.
+    // Draws the meshes into a new map and swaps it in when all of it is done: each mesh once for each view that it touches,
+    // and with two layers of depth once more where it may be hidden. What the callback throws is passed on after the state
+    // is restored. Throws Error badShader where a program does not compile or its varyings find no room, badArgument for a
+    // mesh or a range that cannot be, hostBusy from inside a capture of the same probe, and what the constructor throws.
     CaptureReport capture(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
 
-    // The same, drawn by the host itself: called once for each view, or once in all with allAtOnce.
+    // The same, drawn by the host itself: called once for each view, or once in all with allAtOnce; for the second layer of
+    // depth once more for each view. The host's order is kept, also with nearFirst.
     CaptureReport capture(const DrawScene& drawScene);
 
     // Takes over six sides that the host has drawn itself, +X -X +Y -Y +Z -Z, each of n × n texels laid out
@@ -128,7 +134,9 @@ public:
     bool touches(int view, const Sphere& bounds) const;
     bool touches(int view, const Box& bounds) const;
 
-    // The last complete capture; before the first one, the background everywhere.
+    // The last complete capture; before the first one, the background everywhere. It stays until the next one: where
+    // nothing has moved, a host leaves capture() out. Each capture changes the texture names, so that a copy of this goes
+    // stale; its pose is that of its capture.
     const ReflectionMap& map() const;
 
 private:

@@ -3,7 +3,7 @@
 //
 //     ProbeBinding binding(program);                    // once, after linking
 //     {
-//         auto bound = binding.bind(probe.map(), {.blend = 0.8f});
+//         auto bound = binding.bind(probe.map());
 //         drawTeapot();
 //     }                                                 // textures and samplers of the units are as before
 #pragma once
@@ -28,9 +28,11 @@ enum class Filtering {
 
 struct MaterialSettings
 {
-    bool reflective = true;         // false: mirrorball_material returns the object's own colour
-    glm::vec3 tint{1.0f};           // multiplied onto the reflection
-    float blend = 1.0f;             // 0: own colour only, 1: reflection only
+    // For shaders that call mirrorball_material(own, reflection); mirrorball_reflection alone knows none of these.
+    bool reflective = true; // false: the object's own colour
+    glm::vec3 tint{1.0f};   // multiplied onto the reflection
+    float blend = 1.0f;     // 0: own colour only, 1: reflection only
+
     glm::mat3 probeFromWorld{1.0f}; // turns the map further for this object, before the probe's own pose
     glm::mat4 worldFromView{1.0f};  // for inputs in view space: the inverse of the view matrix
     glm::dvec3 origin{0.0};         // world positions given to the shader are relative to this point
@@ -44,21 +46,23 @@ struct MaterialSettings
 class MIRRORBALL_EXPORT ProbeBinding
 {
 public:
-    // A linked program with reflectionGlsl in it (borrowed). Uses the texture units firstUnit and firstUnit
-    // + 1, for Lookup::layered two more. Throws Error badArgument for a program that is not linked, or for
-    // units beyond the driver's limit.
+    // A linked program with reflectionGlsl in it (borrowed, to live as long). Uses the texture units firstUnit and
+    // firstUnit + 1, for Lookup::layered two more, which the program's own samplers must leave free. Throws Error
+    // badArgument for a program that is not linked, or for units beyond the driver's limit; noContext, unsupported and
+    // hostBusy as a probe does, and so does bind.
     explicit ProbeBinding(unsigned int program, int firstUnit = 0, std::string prefix = "mirrorball_");
     ~ProbeBinding();
     ProbeBinding(ProbeBinding&&) noexcept;
     ProbeBinding& operator=(ProbeBinding&&) noexcept;
 
-    // Keeps the textures bound while it lives, then puts back what the units held.
+    // Keeps the textures bound while it lives, then puts back what the units held. Of two that share units the later
+    // one dies first.
     class MIRRORBALL_EXPORT Bound
     {
     public:
         ~Bound();
         Bound(Bound&&) noexcept;
-        Bound& operator=(Bound&&) noexcept;
+        Bound& operator=(Bound&&) = delete; // it would put the units back while the new textures are wanted
 
     private:
         friend class ProbeBinding;
