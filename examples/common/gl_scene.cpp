@@ -49,13 +49,14 @@ mirrorball::Sphere boundsOf(const std::vector<Vertex>& vertices)
     return bounds;
 }
 
-float longestEdgeOf(const Mesh& mesh)
+float longestEdge(const std::vector<glm::vec3>& points,
+                  const std::vector<std::array<std::uint32_t, 3>>& triangles)
 {
     float longest = 0.0f;
-    for (const auto& triangle : mesh.triangles)
+    for (const auto& triangle : triangles)
         for (std::size_t corner = 0; corner < 3; ++corner)
-            longest = std::max(longest, glm::distance(mesh.positions[triangle[corner]],
-                                                      mesh.positions[triangle[(corner + 1) % 3]]));
+            longest = std::max(longest,
+                               glm::distance(points[triangle[corner]], points[triangle[(corner + 1) % 3]]));
     return longest;
 }
 
@@ -169,7 +170,7 @@ GlScene::GlMesh GlScene::upload(const Mesh& mesh, const glm::dvec3& worldOffset)
                            mesh.textureCoordinates[index]};
     GlMesh result;
     result.bounds = boundsOf(vertices);
-    result.longestEdge = longestEdgeOf(mesh);
+    result.longestEdge = longestEdge(mesh.positions, mesh.triangles);
     for (const Vertex& vertex : vertices)
         result.positions.push_back(vertex.position);
     result.corners = mesh.triangles;
@@ -221,12 +222,7 @@ std::optional<float> GlScene::widestAngle(const GlMesh& mesh, const glm::vec3& c
     std::vector<glm::vec3> directions;
     for (const glm::vec3& position : mesh.positions)
         directions.push_back(glm::normalize(position - centre));
-    float longest = 0.0f; // chord
-    for (const auto& triangle : mesh.corners)
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            longest = std::max(
-                longest, glm::distance(directions[triangle[corner]], directions[triangle[(corner + 1) % 3]]));
-    return 2.0f * std::asin(std::min(0.5f * longest, 1.0f));
+    return 2.0f * std::asin(std::min(0.5f * longestEdge(directions, mesh.corners), 1.0f));
 }
 
 std::vector<mirrorball::CaptureMesh> GlScene::captureMeshes(mirrorball::CaptureProgram& program,

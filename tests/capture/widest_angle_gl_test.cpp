@@ -18,8 +18,8 @@ namespace {
 
 struct Captured
 {
-    std::vector<std::vector<float>>
-        textures; // colours and distances, of both layers of depth where there are two
+    // Colours and distances, of both layers of depth where there are two.
+    std::vector<std::vector<float>> textures;
     std::set<unsigned int> programs;
 };
 
