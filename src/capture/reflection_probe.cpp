@@ -20,7 +20,10 @@
 
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace mirrorball {
 
@@ -34,10 +37,16 @@ void requireUsable(const CaptureMesh& mesh, const std::string& asked)
 {
     if (mesh.program == nullptr)
         throw Error(ErrorKind::badArgument, asked, "a mesh has no program", "set CaptureMesh::program");
-    if (mesh.bounds && mesh.bounds->radius < 0.0f)
-        throw Error(ErrorKind::badArgument, asked,
-                    "a mesh's bounds have the radius " + std::to_string(mesh.bounds->radius),
-                    "give 0 or more, or no bounds");
+    const std::pair<std::string_view, std::optional<float>> lengths[] = {
+        {"radius of the bounds", mesh.bounds ? std::optional(mesh.bounds->radius) : std::nullopt},
+        {"longest edge", mesh.longestEdge},
+        {"nearest distance", mesh.nearestDistance},
+        {"widest angle", mesh.widestAngle}};
+    for (const auto& [name, length] : lengths)
+        if (length && *length < 0.0f)
+            throw Error(ErrorKind::badArgument, asked,
+                        "the " + std::string(name) + " of a mesh is " + std::to_string(*length),
+                        "give 0 or more, or leave it out");
 }
 
 } // namespace

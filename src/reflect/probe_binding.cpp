@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace mirrorball {
 
@@ -77,8 +76,8 @@ struct ProbeBinding::Implementation
     int firstUnit, units;
     std::string prefix;
     gl::Sampler filtered, linear, nearest;
-    float mostAnisotropy;            // 1: not asked for, or the driver has none
-    std::optional<MapKind> lookedUp; // that the program looks up, if any
+    float mostAnisotropy; // 1: not asked for, or the driver has none
+    MapKind lookedUp;     // by the program
 
     int location(const std::string& name) const
     {
@@ -120,14 +119,19 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
                         std::to_string(firstUnit + units - 1) + " do not lie within the driver's " +
                         std::to_string(limit),
                     "name another first unit");
-    std::optional<MapKind> lookedUp;
-    for (const MapInfo& info : maps())
-        if (glGetUniformLocation(program, (prefix + reflect::mapFromWorld(info.kind)).c_str()) >= 0)
-            lookedUp = info.kind;
+    const auto isLookedUp = [&](const MapInfo& info) {
+        return glGetUniformLocation(program, (prefix + reflect::mapFromWorld(info.kind)).c_str()) >= 0;
+    };
+    const auto lookedUp = std::find_if(maps().begin(), maps().end(), isLookedUp);
+    if (lookedUp == maps().end())
+        throw Error(ErrorKind::badArgument, asked,
+                    "program " + std::to_string(program) +
+                        " looks up no map by functions that begin with \"" + prefix + "\"",
+                    "call those of reflectionGlsl with this prefix in its shader");
     implementation_ = std::make_unique<Implementation>(Implementation{
         program, firstUnit, units, std::move(prefix), makeSampler(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR),
         makeSampler(GL_LINEAR, GL_LINEAR), makeSampler(GL_NEAREST, GL_NEAREST),
-        isAnisotropic ? mostAnisotropy() : 1.0f, lookedUp});
+        isAnisotropic ? mostAnisotropy() : 1.0f, lookedUp->kind});
 }
 
 ProbeBinding::~ProbeBinding() = default;
@@ -136,10 +140,10 @@ ProbeBinding& ProbeBinding::operator=(ProbeBinding&&) noexcept = default;
 
 void ProbeBinding::Implementation::requireMadeFor(MapKind given) const
 {
-    if (lookedUp && *lookedUp != given)
+    if (lookedUp != given)
         throw Error(ErrorKind::badArgument, "a binding of a reflection map",
                     "it is " + std::string(mapInfo(given).name) + " and the program looks up " +
-                        std::string(mapInfo(*lookedUp).name),
+                        std::string(mapInfo(lookedUp).name),
                     "make the program with reflectionGlsl of the same map");
 }
 

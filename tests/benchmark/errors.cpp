@@ -147,6 +147,7 @@ Errors errorsOf(const MakeContender& make, const std::vector<TrueTexel>& truth, 
     const TriangleTable table(scene, at);
 
     std::size_t wrong = 0, offEdge = 0, holes = 0;
+    double distanceOffEdge = 0.0;
     std::vector<double> distances, directions, directionsWhereWrong;
     for (const TrueTexel& texel : truth) {
         const auto drawn = static_cast<double>(triangles.distance[texel.index]);
@@ -164,8 +165,11 @@ Errors errorsOf(const MakeContender& make, const std::vector<TrueTexel>& truth, 
             if (isWrong)
                 directionsWhereWrong.push_back(angle);
         }
-        if (isDrawn && isThere && !isWrong)
+        if (isDrawn && isThere && !isWrong) {
             distances.push_back(distanceError);
+            if (texel.edgeAngle > edgeTolerance)
+                distanceOffEdge = std::max(distanceOffEdge, distanceError);
+        }
         if (!isWrong)
             continue;
         ++wrong;
@@ -178,13 +182,8 @@ Errors errorsOf(const MakeContender& make, const std::vector<TrueTexel>& truth, 
     const auto percent = [&](std::size_t count) {
         return truth.empty() ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(truth.size());
     };
-    return {truth.size(),
-            percent(wrong),
-            percent(offEdge),
-            percent(holes),
-            spreadOf(distances),
-            spreadOf(directions),
-            spreadOf(directionsWhereWrong).mean};
+    return {truth.size(),        percent(wrong),  percent(offEdge),     percent(holes),
+            spreadOf(distances), distanceOffEdge, spreadOf(directions), spreadOf(directionsWhereWrong).mean};
 }
 
 } // namespace tests::benchmark

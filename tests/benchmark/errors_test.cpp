@@ -138,6 +138,23 @@ void anotherTriangleIsWrongWhereItLiesElsewhere()
     CHECK(errors.wrongOffEdgePercent > 0.9 * errors.wrongPercent);
 }
 
+// An edge-on triangle is narrower than float resolves: distances at its edges are apart.
+void distancesAtEdgesAreApart()
+{
+    Judge judge;
+    CHECK(judge.truth.size() > 2);
+    bool isAtEdge = false;
+    for (TrueTexel& texel : judge.truth)
+        if (std::isfinite(texel.distance))
+            texel.edgeAngle = (isAtEdge = !isAtEdge) ? 0.9e-5 : 1.1e-5;
+    const Errors errors = judge.errors([](const TrueTexel& texel) {
+        return Shown{(texel.edgeAngle < 1e-5 ? 1.02 : 1.01) * texel.distance, texel.triangle,
+                     texel.unitDirection};
+    });
+    CHECK_NEAR(errors.relativeDistance.largest, 0.02, 2.0 * rounding);
+    CHECK_NEAR(errors.relativeDistanceOffEdge, 0.01, 2.0 * rounding);
+}
+
 void distanceAndDirectionAreMeasured()
 {
     const double angle = glm::radians(0.5);
@@ -162,5 +179,6 @@ int main()
     theTruthHasNoError();
     nothingDrawnIsAllHoles();
     anotherTriangleIsWrongWhereItLiesElsewhere();
+    distancesAtEdgesAreApart();
     distanceAndDirectionAreMeasured();
 }

@@ -15,6 +15,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <utility>
 
 using namespace mirrorball;
 
@@ -334,6 +335,39 @@ void checkLimits()
     CHECK_THROWS(ReflectionProbe({.colour = static_cast<ColourFormat>(77)}), ErrorKind::badArgument);
 }
 
+// What is no number tells nothing: the draws are those of meshes that nothing is known of.
+void checkNotANumber(MapKind map)
+{
+    const tests::WallPatches walls;
+    CaptureProgram program(
+        {.vertexSource = tests::plainVertex,
+         .fragmentSource = "#version 330 core\nout vec4 colour;\nvoid main() { colour = vec4(1.0); }\n"});
+    using Change = void (*)(CaptureMesh&);
+    const auto reportOf = [&](Change change) {
+        std::vector<CaptureMesh> meshes = tests::WallPatches::meshes(program);
+        for (CaptureMesh& mesh : meshes)
+            change(mesh);
+        ReflectionProbe probe(descOf(map));
+        return probe.capture(meshes, [&](const CaptureMesh& mesh, const CaptureDraw& draw) {
+            walls.draw(mesh.id, draw.primitive);
+        });
+    };
+    static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::pair<Change, Change> unknownAndNaN[] = {
+        {[](CaptureMesh& mesh) { mesh.bounds.reset(); },
+         [](CaptureMesh& mesh) { mesh.bounds->radius = nan; }},
+        {[](CaptureMesh& mesh) { mesh.bounds.reset(); },
+         [](CaptureMesh& mesh) { mesh.bounds->centre.y = nan; }},
+        {[](CaptureMesh& mesh) { mesh.longestEdge = std::numeric_limits<float>::infinity(); },
+         [](CaptureMesh& mesh) { mesh.longestEdge = nan; }},
+        {[](CaptureMesh&) {}, [](CaptureMesh& mesh) { mesh.nearestDistance = nan; }}};
+    for (const auto& [unknown, isNaN] : unknownAndNaN) {
+        const CaptureReport expected = reportOf(unknown), found = reportOf(isNaN);
+        CHECK(found.draws == expected.draws && found.drawsCulled == expected.drawsCulled);
+        CHECK(found.drawsExact == expected.drawsExact && found.drawsMapped == expected.drawsMapped);
+    }
+}
+
 // What a capture refuses, before it draws anything.
 void checkRefused(const tests::SixWalls& walls)
 {
@@ -341,9 +375,14 @@ void checkRefused(const tests::SixWalls& walls)
     CaptureMesh mesh = walls.mesh();
     CHECK_THROWS(probe.capture({&mesh, 1}, ReflectionProbe::DrawMesh{}), ErrorKind::badArgument);
     CHECK_THROWS(probe.capture(ReflectionProbe::DrawScene{}), ErrorKind::badArgument);
-    mesh.bounds = Sphere{glm::vec3(0.0f), -1.0f};
     const auto draw = [](const CaptureMesh&, const CaptureDraw&) { CHECK(!"drawn"); };
-    CHECK_THROWS(probe.capture({&mesh, 1}, draw), ErrorKind::badArgument);
+    CaptureMesh negative[] = {mesh, mesh, mesh, mesh};
+    negative[0].bounds = Sphere{glm::vec3(0.0f), -1.0f};
+    negative[1].longestEdge = -1.0f;
+    negative[2].nearestDistance = -1.0f;
+    negative[3].widestAngle = -1.0f;
+    for (const CaptureMesh& one : negative)
+        CHECK_THROWS(probe.capture({&one, 1}, draw), ErrorKind::badArgument);
     // Out of sight, and yet compiled.
     CaptureProgram broken(
         {.vertexSource = tests::plainVertex,
@@ -373,6 +412,7 @@ int main(int argc, char** argv)
         checkViews(walls, info.kind, LayerOrder::oneAtATime);
         checkViews(walls, info.kind, LayerOrder::allAtOnce);
         checkBoxes(info.kind);
+        checkNotANumber(info.kind);
         checkBorrowed(walls, info.kind, info.components == 1 ? 2 : 1);
     }
     checkTakenOver(GL_TEXTURE_2D, hostile);

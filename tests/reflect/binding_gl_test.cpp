@@ -12,6 +12,7 @@
 #include <mirrorball/reflect/probe_binding.h>
 #include <mirrorball/reflect/reflection_material.h>
 
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -171,6 +172,63 @@ void checkOtherMaps(Lookup lookup)
     }
 }
 
+// A program without the functions, or with others than the prefix says, would show what the units happen to hold.
+void checkOtherPrograms()
+{
+    const Fixture fixture(Lookup::distance);
+    const GLuint without =
+        tests::makeProgram(tests::fullScreenVertexSource, "#version 330 core\nin vec2 uv; out vec4 colour;\n"
+                                                          "void main() { colour = uv.xyxy; }\n");
+    report(tests::changesBy([&] { CHECK_THROWS(ProbeBinding{without}, ErrorKind::badArgument); }),
+           "a program without a look-up");
+    glDeleteProgram(without);
+    CHECK_THROWS(ProbeBinding(fixture.program, firstUnit, "mirror_"), ErrorKind::badArgument);
+    CHECK_THROWS(ProbeBinding(fixture.program, firstUnit, ""), ErrorKind::badArgument);
+}
+
+std::vector<float> picture(const Fixture& program, const ReflectionMap& map)
+{
+    const ProbeBinding binding(program.program, firstUnit);
+    const tests::ColourTarget target(64, 64);
+    target.bind();
+    glUseProgram(program.program);
+    const auto bound = binding.bind(map);
+    tests::drawFullScreenTriangle();
+    return target.read();
+}
+
+double meanDifference(const std::vector<float>& a, const std::vector<float>& b)
+{
+    double sum = 0.0;
+    for (std::size_t index = 0; index < a.size(); ++index)
+        sum += std::abs(static_cast<double>(a[index]) - static_cast<double>(b[index]));
+    return sum / static_cast<double>(a.size());
+}
+
+// A look-up that needs more than the map has does without: without distances it is `infinite`, to the last bit; without
+// the second layer about `distance`.
+void checkPoorerMaps()
+{
+    const Fixture infinite(Lookup::infinite), distance(Lookup::distance), layered(Lookup::layered);
+    const ReflectionMap& rich = layered.probe.map();
+    ReflectionMap one = rich;
+    one.hiddenColourTexture = one.hiddenDistanceTexture = 0;
+    one.hiddenN = 0;
+    ReflectionMap none = one;
+    none.distanceTexture = 0;
+    none.nearestLevel = 0;
+    const std::vector<float> infinitelyFar = picture(infinite, rich), traced = picture(distance, rich);
+    const double parallax = meanDifference(infinitelyFar, traced);
+    CHECK(parallax > 0.01);
+    CHECK(meanDifference(picture(distance, none), infinitelyFar) < 0.01 * parallax);
+    CHECK(meanDifference(picture(layered, none), infinitelyFar) < 0.01 * parallax);
+    CHECK(meanDifference(picture(layered, one), traced) < 0.2 * parallax);
+    std::printf("parallax %g, without distances %g %g, without a second layer %g\n", parallax,
+                meanDifference(picture(distance, none), infinitelyFar),
+                meanDifference(picture(layered, none), infinitelyFar),
+                meanDifference(picture(layered, one), traced));
+}
+
 void checkSettingsThatAreNotFinite()
 {
     const Fixture fixture(Lookup::distance);
@@ -203,6 +261,8 @@ int main()
         checkUnderHostileStates(lookup, hostile);
     checkRefused(hostile);
     checkNumbersWithoutName();
+    checkOtherPrograms();
+    checkPoorerMaps();
     checkSettingsThatAreNotFinite();
     for (const Lookup lookup : {Lookup::infinite, Lookup::box, Lookup::layered})
         checkOtherMaps(lookup);

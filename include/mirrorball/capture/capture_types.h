@@ -56,7 +56,7 @@ struct Box // axis-parallel, in world space, relative to captureOrigin
 
 // One draw of the host's. Without bounds it is drawn into every component, and without bounds and the length
 // of its longest edge, exactly. A host that displaces vertices (skinning) gives bounds that hold for the
-// displaced ones.
+// displaced ones. What is NaN counts as not given.
 struct CaptureMesh
 {
     CaptureProgram* program = nullptr;
