@@ -42,25 +42,35 @@ bool isSmall(const SceneChoice& scene)
     return scene.name == "cards" || scene.name == "room";
 }
 
+// There perVertex and tessellated are automatic by another name: the same programs draw the same.
+bool isPiecewiseLinear(MapKind map)
+{
+    return map == MapKind::cube || map == MapKind::octahedral;
+}
+
 bool isModel(const SceneChoice& scene)
 {
     return !scene.source.starts_with("builtin:");
 }
 
 // What is left out, so that a run ends within reach: methods of the least interest where they were measured
-// elsewhere. A method that was asked for is never left out.
+// elsewhere. A method that was asked for is never left out, but for those that are wrong at any size, which are drawn
+// at equal texels only.
 bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const Group& group,
                 const Options& options)
 {
+    const bool isAutomatic = method.method == mirrorball::CaptureMethod::automatic;
+    const bool isExact = method.method == mirrorball::CaptureMethod::exact;
     if (!options.methods.empty())
-        return contains(options.methods, method.name);
+        return contains(options.methods, method.name) &&
+               (sizing == Sizing::equalTexels || isAutomatic || isExact);
+    if (isPiecewiseLinear(map) && !isAutomatic && !isExact)
+        return false;
     // Models have many surfaces behind one another.
     if (method.nearFirst)
         return contains(mainMaps, map) && group.cubeN == mainN && isModel(*group.scene);
     if (method.isTurned)
         return !options.quick && contains(mainMaps, map) && group.cubeN == mainN;
-    const bool isAutomatic = method.method == mirrorball::CaptureMethod::automatic;
-    const bool isExact = method.method == mirrorball::CaptureMethod::exact;
     if (method.layers == mirrorball::LayerOrder::allAtOnce)
         return !options.quick && map == MapKind::tennisBall && sizing == Sizing::equalTexels &&
                group.cubeN == mainN && !group.cullBackFaces;

@@ -15,8 +15,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <type_traits>
 
 using namespace mirrorball;
+
+// It would put the units back while the new textures are wanted.
+static_assert(!std::is_move_assignable_v<ProbeBinding::Bound>);
 
 namespace {
 
