@@ -145,7 +145,8 @@ Variant Frame::variantOf(const CaptureMesh& mesh, int view, bool peels) const
 
 double Frame::distanceTo(const CaptureMesh& mesh) const
 {
-    return mesh.bounds ? glm::distance(glm::dvec3(mesh.bounds->centre), centre()) : 0.0;
+    const double distance = mesh.bounds ? glm::distance(glm::dvec3(mesh.bounds->centre), centre()) : 0.0;
+    return std::isnan(distance) ? 0.0 : distance;
 }
 
 double Frame::tessellationSteps() const

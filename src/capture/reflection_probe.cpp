@@ -37,15 +37,14 @@ void requireUsable(const CaptureMesh& mesh, const std::string& asked)
 {
     if (mesh.program == nullptr)
         throw Error(ErrorKind::badArgument, asked, "a mesh has no program", "set CaptureMesh::program");
-    const std::pair<std::string_view, std::optional<float>> lengths[] = {
+    const std::pair<std::string_view, std::optional<float>> sizes[] = {
         {"radius of the bounds", mesh.bounds ? std::optional(mesh.bounds->radius) : std::nullopt},
         {"longest edge", mesh.longestEdge},
-        {"nearest distance", mesh.nearestDistance},
         {"widest angle", mesh.widestAngle}};
-    for (const auto& [name, length] : lengths)
-        if (length && *length < 0.0f)
+    for (const auto& [name, size] : sizes)
+        if (size && *size < 0.0f)
             throw Error(ErrorKind::badArgument, asked,
-                        "the " + std::string(name) + " of a mesh is " + std::to_string(*length),
+                        "the " + std::string(name) + " of a mesh is below 0: " + std::to_string(*size),
                         "give 0 or more, or leave it out");
 }
 

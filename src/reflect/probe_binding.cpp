@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mirrorball {
 
@@ -76,8 +77,8 @@ struct ProbeBinding::Implementation
     int firstUnit, units;
     std::string prefix;
     gl::Sampler filtered, linear, nearest;
-    float mostAnisotropy; // 1: not asked for, or the driver has none
-    MapKind lookedUp;     // by the program
+    float mostAnisotropy;            // 1: not asked for, or the driver has none
+    std::optional<MapKind> lookedUp; // by the program, if any
 
     int location(const std::string& name) const
     {
@@ -108,9 +109,12 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
     if (linked != GL_TRUE)
         throw Error(ErrorKind::badArgument, asked, "program " + std::to_string(program) + " is not linked",
                     "link it first");
-    const bool isLayered = glGetUniformLocation(program, (prefix + "hiddenDistanceMap").c_str()) >= 0;
+    const auto isUsed = [&](const std::string& name) {
+        return glGetUniformLocation(program, (prefix + name).c_str()) >= 0;
+    };
+    const bool isLayered = isUsed("hiddenDistanceMap");
     // llvmpipe filters anisotropically where the shader itself gives the level, too.
-    const bool isAnisotropic = glGetUniformLocation(program, (prefix + "widest").c_str()) >= 0;
+    const bool isAnisotropic = isUsed("widest");
     const int units = isLayered ? mostUnits : 2;
     const int limit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     if (firstUnit < 0 || firstUnit + units > limit)
@@ -119,19 +123,20 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
                         std::to_string(firstUnit + units - 1) + " do not lie within the driver's " +
                         std::to_string(limit),
                     "name another first unit");
-    const auto isLookedUp = [&](const MapInfo& info) {
-        return glGetUniformLocation(program, (prefix + reflect::mapFromWorld(info.kind)).c_str()) >= 0;
-    };
-    const auto lookedUp = std::find_if(maps().begin(), maps().end(), isLookedUp);
-    if (lookedUp == maps().end())
+    std::optional<MapKind> lookedUp;
+    for (const MapInfo& info : maps())
+        if (isUsed(reflect::mapFromWorld(info.kind)))
+            lookedUp = info.kind;
+    // The material function may stand beside a look-up of the host's own.
+    if (!lookedUp && !isUsed("reflective"))
         throw Error(ErrorKind::badArgument, asked,
-                    "program " + std::to_string(program) +
-                        " looks up no map by functions that begin with \"" + prefix + "\"",
-                    "call those of reflectionGlsl with this prefix in its shader");
+                    "program " + std::to_string(program) + " uses no look-up with the prefix \"" + prefix +
+                        "\"",
+                    "give the prefix of its reflectionGlsl");
     implementation_ = std::make_unique<Implementation>(Implementation{
         program, firstUnit, units, std::move(prefix), makeSampler(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR),
         makeSampler(GL_LINEAR, GL_LINEAR), makeSampler(GL_NEAREST, GL_NEAREST),
-        isAnisotropic ? mostAnisotropy() : 1.0f, lookedUp->kind});
+        isAnisotropic ? mostAnisotropy() : 1.0f, lookedUp});
 }
 
 ProbeBinding::~ProbeBinding() = default;
@@ -140,10 +145,10 @@ ProbeBinding& ProbeBinding::operator=(ProbeBinding&&) noexcept = default;
 
 void ProbeBinding::Implementation::requireMadeFor(MapKind given) const
 {
-    if (lookedUp != given)
+    if (lookedUp && *lookedUp != given)
         throw Error(ErrorKind::badArgument, "a binding of a reflection map",
                     "it is " + std::string(mapInfo(given).name) + " and the program looks up " +
-                        std::string(mapInfo(lookedUp).name),
+                        std::string(mapInfo(*lookedUp).name),
                     "make the program with reflectionGlsl of the same map");
 }
 

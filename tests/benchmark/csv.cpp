@@ -95,7 +95,7 @@ std::vector<Column<Row>> captureColumns()
         error("relative_distance_error_mean", &Errors::relativeDistance, &Spread::mean),
         error("relative_distance_error_p95", &Errors::relativeDistance, &Spread::p95),
         error("relative_distance_error_max", &Errors::relativeDistance, &Spread::largest),
-        error("relative_distance_error_max_off_edges", &Errors::relativeDistanceOffEdge),
+        error("relative_distance_error_max_off_edges", &Errors::largestRelativeDistanceOffEdges),
         error("direction_error_degrees_mean", &Errors::directionDegrees, &Spread::mean),
         error("direction_error_degrees_p95", &Errors::directionDegrees, &Spread::p95),
         error("direction_error_degrees_max", &Errors::directionDegrees, &Spread::largest),

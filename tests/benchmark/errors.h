@@ -42,8 +42,8 @@ struct Errors
     double wrongOffEdgePercent = 0; // more than 1e-5 rad from any edge of the drawn and of the true triangle
     double holePercent = 0;         // nothing drawn where there is something
     Spread relativeDistance;        // |drawn − true| / true, where the texel is not wrong
-    double relativeDistanceOffEdge =
-        0;                   // the largest of these, more than 1e-5 rad from any edge of the true triangle
+    // The largest, more than 1e-5 rad from any edge of the true triangle.
+    double largestRelativeDistanceOffEdges = 0;
     Spread directionDegrees; // between the texel and the point that is drawn there, wherever something
                              // is drawn
     double directionDegreesWhereWrong = 0; // its mean over wrong texels that show something

@@ -138,21 +138,20 @@ void anotherTriangleIsWrongWhereItLiesElsewhere()
     CHECK(errors.wrongOffEdgePercent > 0.9 * errors.wrongPercent);
 }
 
-// An edge-on triangle is narrower than float resolves: distances at its edges are apart.
-void distancesAtEdgesAreApart()
+// An edge-on triangle is narrower than float resolves: distances at its edges are judged apart.
+void distancesAtEdgesAreJudgedApart()
 {
-    Judge judge;
-    CHECK(judge.truth.size() > 2);
+    Judge parted;
     bool isAtEdge = false;
-    for (TrueTexel& texel : judge.truth)
+    for (TrueTexel& texel : parted.truth)
         if (std::isfinite(texel.distance))
             texel.edgeAngle = (isAtEdge = !isAtEdge) ? 0.9e-5 : 1.1e-5;
-    const Errors errors = judge.errors([](const TrueTexel& texel) {
+    const Errors errors = parted.errors([](const TrueTexel& texel) {
         return Shown{(texel.edgeAngle < 1e-5 ? 1.02 : 1.01) * texel.distance, texel.triangle,
                      texel.unitDirection};
     });
     CHECK_NEAR(errors.relativeDistance.largest, 0.02, 2.0 * rounding);
-    CHECK_NEAR(errors.relativeDistanceOffEdge, 0.01, 2.0 * rounding);
+    CHECK_NEAR(errors.largestRelativeDistanceOffEdges, 0.01, 2.0 * rounding);
 }
 
 void distanceAndDirectionAreMeasured()
@@ -179,6 +178,6 @@ int main()
     theTruthHasNoError();
     nothingDrawnIsAllHoles();
     anotherTriangleIsWrongWhereItLiesElsewhere();
-    distancesAtEdgesAreApart();
+    distancesAtEdgesAreJudgedApart();
     distanceAndDirectionAreMeasured();
 }

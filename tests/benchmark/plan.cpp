@@ -54,8 +54,7 @@ bool isModel(const SceneChoice& scene)
 }
 
 // What is left out, so that a run ends within reach: methods of the least interest where they were measured
-// elsewhere. A method that was asked for is never left out, but for those that are wrong at any size, which are drawn
-// at equal texels only.
+// elsewhere. A method that was asked for is never left out; perVertex and tessellated are drawn at equal texels only.
 bool isMeasured(const LibraryMethod& method, MapKind map, Sizing sizing, const Group& group,
                 const Options& options)
 {

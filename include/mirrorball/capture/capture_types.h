@@ -56,7 +56,7 @@ struct Box // axis-parallel, in world space, relative to captureOrigin
 
 // One draw of the host's. Without bounds it is drawn into every component, and without bounds and the length
 // of its longest edge, exactly. A host that displaces vertices (skinning) gives bounds that hold for the
-// displaced ones. What is NaN counts as not given.
+// displaced ones. What is NaN counts as not given; a radius, edge or angle below 0 is refused.
 struct CaptureMesh
 {
     CaptureProgram* program = nullptr;
@@ -66,7 +66,7 @@ struct CaptureMesh
     // No part of it is nearer to the probe than this, in world units: more than bounds around the probe can tell, as of
     // a room's walls. Spares the second layer of depth what nothing can hide, and cube and octahedral maps, where bounds
     // end before far, a test against the probe's near, which keeps a rasteriser from testing depth early. Where the
-    // promise is not kept, parts nearer than near are drawn, and the second layer lacks surfaces.
+    // promise is not kept, parts nearer than near are drawn, and the second layer lacks surfaces. 0 and less promise nothing.
     std::optional<float> nearestDistance = std::nullopt;
     // No edge of a triangle spans a wider angle than this, in radians, as seen from the probe: more than bounds that hold
     // the probe can tell. Below 0.26 (14.9 degrees) it spares exact capture what only wider triangles need; else it has no

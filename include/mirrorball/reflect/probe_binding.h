@@ -48,8 +48,9 @@ class MIRRORBALL_EXPORT ProbeBinding
 public:
     // A linked program with reflectionGlsl in it (borrowed, to live as long). Uses the texture units firstUnit and
     // firstUnit + 1, for Lookup::layered two more, which the program's own samplers must leave free. Throws Error
-    // badArgument for a program that is not linked or calls none of the functions that look a map up, and for units beyond
-    // the driver's limit; noContext, unsupported and hostBusy as a probe does, and so does bind.
+    // badArgument for a program that is not linked, or that uses no look-up with this prefix (compilers drop what no output
+    // depends on), and for units beyond the driver's limit; noContext, unsupported and hostBusy as a probe does, and so does
+    // bind.
     explicit ProbeBinding(unsigned int program, int firstUnit = 0, std::string prefix = "mirrorball_");
     ~ProbeBinding();
     ProbeBinding(ProbeBinding&&) noexcept;

@@ -22,8 +22,8 @@ enum class Lookup {
     infinite, // as if everything were infinitely far: by the ray's direction alone
     sphere,   // the surroundings are taken for an ellipsoid, MaterialSettings::worldFromProxy
     box,      // … or for a box, which may be turned; neither need be centred on the probe
-    distance, // the ray is marched against the captured distances; as `infinite` in a map without
-    layered, // … of two layers of depth: the probe's Desc::layersOfDepth is 2; in a map of one, about as `distance`
+    distance, // the ray is marched against the captured distances; without any, as `infinite`
+    layered, // … of two layers of depth: the probe's Desc::layersOfDepth is 2; with one, about as `distance`
 };
 
 MIRRORBALL_EXPORT std::optional<Lookup> lookupFromName(std::string_view name);

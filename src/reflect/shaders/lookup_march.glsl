@@ -184,7 +184,7 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
 // nearest texel shows. (Corners, a quarter of what is mixed at most, are left.)
 vec2 mirrorball_withinSurface(vec3 coordinate)
 {
-    vec2 size = vec2(textureSize(mirrorball_distanceMap, 0).xy);
+    vec2 size = max(vec2(textureSize(mirrorball_distanceMap, 0).xy), 1.0); // no texture may have no size
     vec2 place = coordinate.xy * size;
     vec2 middle = min(floor(place), size - 1.0) + 0.5;
     vec2 offset = place - middle;
