@@ -289,11 +289,30 @@ CaptureProgram::Implementation::Implementation(Desc givenDesc)
         if (const std::string clash = shader->nameBeginningWith(capture::prefix); !clash.empty())
             throw Error(ErrorKind::badShader, shader->name(), "it uses the name '" + clash + "'",
                         "names that begin with " + capture::prefix + " are the library's");
-    const bool isName =
-        !desc.position.empty() && std::ranges::all_of(desc.position, capture::continuesIdentifier);
+    requirePosition();
+}
+
+// Of an expression that is more than a name the compiler tells what is wrong.
+void CaptureProgram::Implementation::requirePosition() const
+{
+    const std::string advice =
+        "say with CaptureProgram::Desc::position what holds the position in world space, as a vec3";
+    if (desc.position.empty())
+        throw Error(ErrorKind::badShader, vertex.name(), "the name of its position is empty", advice);
+    const bool isName = std::ranges::all_of(desc.position, capture::continuesIdentifier);
     if (isName && !vertex.mentions(desc.position))
-        throw Error(ErrorKind::badShader, vertex.name(), "it has no '" + desc.position + "'",
-                    "say with CaptureProgram::Desc::position what holds the position in world space");
+        throw Error(ErrorKind::badShader, vertex.name(), "it has no '" + desc.position + "'", advice);
+    const auto isOther = [&](const capture::Declaration& declaration) {
+        return declaration.name == desc.position && !declaration.isBlock && declaration.arraySuffix.empty() &&
+               (declaration.type == "vec4" || declaration.type == "vec2" || declaration.type == "float");
+    };
+    const auto& declarations = vertex.declarations();
+    const auto other = std::ranges::find_if(declarations, isOther);
+    if (desc.position == "gl_Position" || other != declarations.end())
+        throw Error(ErrorKind::badShader, vertex.name(),
+                    "its '" + desc.position + "' is a " +
+                        (other == declarations.end() ? "vec4" : other->type),
+                    advice);
 }
 
 bool CaptureProgram::Implementation::fits(const capture::Variant& variant) const

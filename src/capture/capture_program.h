@@ -66,6 +66,7 @@ struct CaptureProgram::Implementation
     capture::LinkedProgram& program(capture::Variant variant);
 
     // The varying that reaches the fragment shader with what Desc::position says; null where none does.
+    void requirePosition() const; // throws Error badShader
     const capture::Varying* positionVarying() const;
 
     // Whether the geometry stage can write all layers of a variant at once.

@@ -4,6 +4,7 @@
 #include "capture/map_textures.h"
 #include "capture/pose.h"
 #include "capture/views.h"
+#include "number_text.h"
 
 #include <mirrorball/error.h>
 
@@ -21,10 +22,10 @@ namespace {
 float nearOf(const ReflectionProbe::Desc& desc, double scale)
 {
     if (!(desc.halfExtent >= 0.0) || !std::isfinite(desc.halfExtent))
-        throw Error(ErrorKind::badArgument, "a probe's half extent",
-                    "it is " + std::to_string(desc.halfExtent), "give a finite number that is not negative");
+        throw Error(ErrorKind::badArgument, "a probe's half extent", "it is " + numberText(desc.halfExtent),
+                    "give a finite number that is not negative");
     const float near = desc.near ? *desc.near : static_cast<float>(desc.halfExtent * scale);
-    const std::string found = "near is " + std::to_string(near) + " and far is " + std::to_string(desc.far);
+    const std::string found = "near is " + numberText(near) + " and far is " + numberText(desc.far);
     if (!(near > 0.0f) || !std::isfinite(near) || !(desc.far > near))
         throw Error(ErrorKind::badArgument, "the range of a probe", found, "give 0 < near < far");
     return near;

@@ -3,6 +3,7 @@
 #include "enumeration.h"
 #include "finite.h"
 #include "gl/context.h"
+#include "number_text.h"
 
 #include <mirrorball/error.h>
 
@@ -19,7 +20,7 @@ namespace {
 void requirePossibleMethod(const ReflectionProbe::Desc& desc)
 {
     if (!(desc.epsilon > 0.0f))
-        throw Error(ErrorKind::badArgument, "a probe's epsilon", "it is " + std::to_string(desc.epsilon),
+        throw Error(ErrorKind::badArgument, "a probe's epsilon", "it is " + numberText(desc.epsilon),
                     "give a number of texels above 0");
     if (desc.method == CaptureMethod::tessellated && epoxy_gl_version() < 40)
         throw Error(ErrorKind::unsupported, "tessellated capture", "the context is older than OpenGL 4.0",
@@ -56,8 +57,7 @@ void requirePossible(const ReflectionProbe::Desc& desc)
     requirePossibleMethod(desc);
     if (desc.layersOfDepth < 1 || desc.layersOfDepth > 2 || !(desc.layerSeparation >= 0.0f))
         throw Error(ErrorKind::badArgument, "a probe's layers of depth",
-                    std::to_string(desc.layersOfDepth) + ", separated by " +
-                        std::to_string(desc.layerSeparation),
+                    std::to_string(desc.layersOfDepth) + ", separated by " + numberText(desc.layerSeparation),
                     "ask for 1 or 2, separated by 0 or more");
 }
 

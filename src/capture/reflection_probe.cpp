@@ -9,6 +9,7 @@
 #include "finite.h"
 #include "gl/context.h"
 #include "gl/state_guard.h"
+#include "number_text.h"
 
 #include <mirrorball/error.h>
 
@@ -44,7 +45,7 @@ void requireUsable(const CaptureMesh& mesh, const std::string& asked)
     for (const auto& [name, size] : sizes)
         if (size && *size < 0.0f)
             throw Error(ErrorKind::badArgument, asked,
-                        "the " + std::string(name) + " of a mesh is below 0: " + std::to_string(*size),
+                        "the " + std::string(name) + " of a mesh is below 0: " + numberText(*size),
                         "give 0 or more, or leave it out");
 }
 

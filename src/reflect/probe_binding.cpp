@@ -117,11 +117,10 @@ ProbeBinding::ProbeBinding(unsigned int program, int firstUnit, std::string pref
     const bool isAnisotropic = isUsed("widest");
     const int units = isLayered ? mostUnits : 2;
     const int limit = gl::integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-    if (firstUnit < 0 || firstUnit + units > limit)
+    if (firstUnit < 0 || firstUnit > limit - units)
         throw Error(ErrorKind::badArgument, asked,
-                    "texture units " + std::to_string(firstUnit) + " to " +
-                        std::to_string(firstUnit + units - 1) + " do not lie within the driver's " +
-                        std::to_string(limit),
+                    std::to_string(units) + " texture units from " + std::to_string(firstUnit) +
+                        " on do not lie within the driver's " + std::to_string(limit),
                     "name another first unit");
     std::optional<MapKind> lookedUp;
     for (const MapInfo& info : maps())

@@ -65,7 +65,9 @@ void writeAims(std::ostream& out, const std::vector<Aims>& scenes)
         return;
     out << "## Aims\n\nBest cube: the fastest by hand, with the same back faces culled. Tessellated: at its "
            "coarsest "
-           "setting, half a texel. Missed aims are bold.\n\n| scene |";
+           "setting, half a texel; where `exact` has no wrong texel, half a one counts. `exact` / "
+           "`perVertex` is an aim "
+           "of `crowd-200k` only. Missed aims are bold.\n\n| scene |";
     for (const AimInfo& info : aimInfos())
         out << ' ' << info.what << " |";
     out << "\n|---|";

@@ -412,6 +412,24 @@ void checkRefused(const tests::SixWalls& walls)
     negative[2].widestAngle = -1.0f;
     for (const CaptureMesh& one : negative)
         CHECK_THROWS(probe.capture({&one, 1}, draw), ErrorKind::badArgument);
+    // Known before anything is compiled.
+    const auto refused = [](const std::string& fragmentSource, const std::string& position) {
+        CHECK_THROWS(CaptureProgram({.vertexSource = tests::plainVertex,
+                                     .fragmentSource = "#version 330 core\n" + fragmentSource,
+                                     .position = position}),
+                     ErrorKind::badShader);
+    };
+    refused("out ivec4 c;\nvoid main() { c = ivec4(1); }\n", "positionInWorld");
+    refused("out uint c;\nvoid main() { c = 1u; }\n", "positionInWorld");
+    const std::string white = "out vec4 c;\nvoid main() { c = vec4(1.0); }\n";
+    for (const char* const position : {"", "nothing", "gl_Position"})
+        refused(white, position);
+    // An output of integers that is not the colour, or not compiled.
+    CaptureProgram({.vertexSource = tests::plainVertex,
+                    .fragmentSource = "#version 330 core\nlayout(location = 1) out uint id;\n"
+                                      "#if 0\nlayout(location = 0) out ivec4 c;\n#else\n"
+                                      "layout(location = 0) out vec4 c;\n#endif\n"
+                                      "void main() { c = vec4(1.0); id = 1u; }\n"});
     // Out of sight, and yet compiled.
     CaptureProgram broken(
         {.vertexSource = tests::plainVertex,

@@ -195,6 +195,9 @@ void checkOtherPrograms()
         CHECK_THROWS(ProbeBinding(program, firstUnit, ""), ErrorKind::badArgument);
         glDeleteProgram(program);
     };
+    const Fixture layered(Lookup::layered); // of four units
+    for (const int unit : {-1, 1 << 20, std::numeric_limits<int>::max() - 3, std::numeric_limits<int>::max()})
+        CHECK_THROWS(ProbeBinding(layered.program, unit), ErrorKind::badArgument);
     check("uv.xyxy", false);
     check("vec4(mirrorball_reflected(vec3(uv, 1), vec3(1)), 1)", false);
     check("0.0 * uv.x > 1.0 && false ? mirrorball_lookUp(vec3(uv, 1), vec3(1)) : vec4(1)", false);

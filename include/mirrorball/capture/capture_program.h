@@ -39,7 +39,7 @@ public:
     const Desc& desc() const;
 
     struct Implementation;
-    Implementation& implementation() { return *implementation_; }
+    Implementation& implementation() { return *implementation_; } // for the library's own use
 
 private:
     std::unique_ptr<Implementation> implementation_;

@@ -54,8 +54,8 @@ struct Box // axis-parallel, in world space, relative to captureOrigin
     glm::vec3 high{0.0f};
 };
 
-// One draw of the host's. Without bounds it is drawn into every component, and without bounds and the length
-// of its longest edge, exactly. A host that displaces vertices (skinning) gives bounds that hold for the
+// One draw of the host's. Without bounds it is drawn into every component, and without bounds or the length
+// of its longest edge exactly. A host that displaces vertices (skinning) gives bounds that hold for the
 // displaced ones. What is NaN counts as not given; a radius, edge or angle below 0 is refused.
 struct CaptureMesh
 {
@@ -86,7 +86,8 @@ struct CaptureDraw
     // name. The eye of shading is the probe's centre, and no camera's frustum culls.
     unsigned int program;
     int view; // 0 … viewCount - 1: a component, or an octant of the octahedral map; -1 for all at once
-    unsigned int primitive = 4; // what glDraw* takes: GL_TRIANGLES (4), or GL_PATCHES for `tessellated` only
+    unsigned int primitive =
+        4; // what glDraw* takes: GL_TRIANGLES (4), or GL_PATCHES for `tessellated` only, which draws nothing else
 };
 
 // The target of a texture that the host hands over.

@@ -66,8 +66,8 @@ public:
         // them they begin at the mirror. Other look-ups have no use for them.
         bool nearestDistances = true;
         // Layers of the tennis-ball and dual-paraboloid maps overlap, and texels past a seam belong to another
-        // component. They show all that is seen there only where this is true, for a host that uses whole layers, and
-        // with mipLevels or two layers of depth; no other look-up reads them.
+        // component. Whether all that is seen there is drawn into them, for a host that uses whole layers. The library
+        // reads them only for mipLevels and with two layers of depth, and then they are drawn whatever this says.
         bool pastSeams = false;
         glm::vec4 background{0.0f, 0.0f, 0.0f, 1.0f};
         CaptureMethod method = CaptureMethod::automatic;

@@ -37,9 +37,11 @@ struct MaterialSettings
     glm::mat4 worldFromView{1.0f};  // for inputs in view space: the inverse of the view matrix
     glm::dvec3 origin{0.0};         // world positions given to the shader are relative to this point
     Filtering filtering = Filtering::linear;
-    float anisotropy = 8.0f; // the longest pixels that LevelOfDetail::anisotropic follows, length to width
+    // The longest pixels that LevelOfDetail::anisotropic follows, length to width. Below 1 is 1; above the driver's limit, or
+    // NaN, is that limit.
+    float anisotropy = 8.0f;
     // For Lookup::sphere and Lookup::box: an affine transformation of the unit sphere, or of the cube
-    // [-1, 1]³, onto what stands for the surroundings. Without an inverse everything is infinitely far.
+    // [-1, 1]³, onto what stands for the surroundings. Without an inverse, or not finite, everything is infinitely far.
     glm::dmat4 worldFromProxy{0.0};
 };
 
