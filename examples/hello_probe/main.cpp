@@ -16,6 +16,8 @@
 #include <GLFW/glfw3.h>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <limits>
+
 using namespace mirrorball;
 using namespace examples;
 
@@ -120,7 +122,8 @@ int main(int argc, char** argv)
     CLI::App app{"A mirror ball in a room, in a window that stays open until it is closed."};
     app.name("hello_probe");
     app.add_option("--headless", file, "draws one frame and writes it")->type_name("OUT.png");
-    addInteger(app, "--frames", frames, "closes the window after so many frames")->check(CLI::PositiveNumber);
+    addInteger(app, "--frames", frames, "closes the window after so many frames")
+        ->check(CLI::Range(1, std::numeric_limits<int>::max()));
     return runProgram(app, argc, argv, [&] {
         if (!file.empty() && !file.ends_with(".png"))
             throw Error(ErrorKind::badArgument, "the output '" + file + "'", "its extension is not .png",
