@@ -36,9 +36,9 @@ void requireContext()
 
 int integer(unsigned int name)
 {
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
+    GLint values[16] = {}; // as many as any state has
+    glGetIntegerv(name, values);
+    return values[0];
 }
 
 Abilities Abilities::ofCurrentContext()

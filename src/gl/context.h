@@ -12,7 +12,7 @@ bool contextIsCurrent() noexcept;
 // feedback active).
 void requireContext();
 
-// A shortcut for glGetIntegerv of one value.
+// A shortcut for glGetIntegerv: the value, or the first of several.
 int integer(unsigned int name);
 
 // What a context has. Asked once and kept: to look for one extension costs a call for each that the driver has.
