@@ -123,7 +123,8 @@ int main(int argc, char** argv)
     app.name("hello_probe");
     app.add_option("--headless", file, "draws one frame and writes it")->type_name("OUT.png");
     addInteger(app, "--frames", frames, "closes the window after so many frames")
-        ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+        ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+        ->default_str("");
     return runProgram(app, argc, argv, [&] {
         if (!file.empty() && !file.ends_with(".png"))
             throw Error(ErrorKind::badArgument, "the output '" + file + "'", "its extension is not .png",

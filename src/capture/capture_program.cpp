@@ -302,17 +302,13 @@ void CaptureProgram::Implementation::requirePosition() const
     const bool isName = std::ranges::all_of(desc.position, capture::continuesIdentifier);
     if (isName && !vertex.mentions(desc.position))
         throw Error(ErrorKind::badShader, vertex.name(), "it has no '" + desc.position + "'", advice);
-    const auto isOther = [&](const capture::Declaration& declaration) {
-        return declaration.name == desc.position && !declaration.isBlock && declaration.arraySuffix.empty() &&
-               (declaration.type == "vec4" || declaration.type == "vec2" || declaration.type == "float");
-    };
-    const auto& declarations = vertex.declarations();
-    const auto other = std::ranges::find_if(declarations, isOther);
-    if (desc.position == "gl_Position" || other != declarations.end())
-        throw Error(ErrorKind::badShader, vertex.name(),
-                    "its '" + desc.position + "' is a " +
-                        (other == declarations.end() ? "vec4" : other->type),
-                    advice);
+    std::string type = desc.position == "gl_Position" ? "vec4" : "";
+    for (const capture::Declaration& declaration : vertex.declarations())
+        if (declaration.name == desc.position && !declaration.isBlock &&
+            type != "vec3") // of several branches
+            type = declaration.type;
+    if (type == "vec4" || type == "vec2" || type == "float")
+        throw Error(ErrorKind::badShader, vertex.name(), "its '" + desc.position + "' is a " + type, advice);
 }
 
 bool CaptureProgram::Implementation::fits(const capture::Variant& variant) const

@@ -65,8 +65,9 @@ struct CaptureProgram::Implementation
     // Compiles and links on first use. Throws Error badShader.
     capture::LinkedProgram& program(capture::Variant variant);
 
-    // The varying that reaches the fragment shader with what Desc::position says; null where none does.
     void requirePosition() const; // throws Error badShader
+
+    // The varying that reaches the fragment shader with what Desc::position says; null where none does.
     const capture::Varying* positionVarying() const;
 
     // Whether the geometry stage can write all layers of a variant at once.

@@ -122,16 +122,12 @@ Outputs outputsOf(const HostShader& fragment)
         throw Error(ErrorKind::badShader, fragment.name(), "it has no output",
                     "declare one: out vec4 colour;");
     // Of several branches one may be compiled.
-    const auto isOfIntegers = [](const Declaration& declaration) {
+    const auto mayBeOfFloats = [&](const Declaration& declaration) {
         const std::string& type = declaration.type;
-        return type == "int" || type == "uint" || type.starts_with("ivec") || type.starts_with("uvec");
+        return declaration.storage == "out" && declaration.name == outputs.colour && type != "int" &&
+               type != "uint" && !type.starts_with("ivec") && !type.starts_with("uvec");
     };
-    const auto isColour = [&](const Declaration& declaration) {
-        return declaration.storage == "out" && declaration.name == outputs.colour;
-    };
-    if (std::ranges::none_of(fragment.declarations(), [&](const Declaration& declaration) {
-            return isColour(declaration) && !isOfIntegers(declaration);
-        }))
+    if (std::ranges::none_of(fragment.declarations(), mayBeOfFloats))
         throw Error(ErrorKind::badShader, fragment.name(),
                     "its output '" + outputs.colour + "' is of integers",
                     "declare one of floats: out vec4 colour;");

@@ -36,7 +36,7 @@ void requireContext()
 
 int integer(unsigned int name)
 {
-    GLint values[16] = {}; // as many as any state has
+    GLint values[16] = {}; // more than any state has but lists of formats
     glGetIntegerv(name, values);
     return values[0];
 }

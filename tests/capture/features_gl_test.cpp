@@ -424,6 +424,11 @@ void checkRefused(const tests::SixWalls& walls)
     const std::string white = "out vec4 c;\nvoid main() { c = vec4(1.0); }\n";
     for (const char* const position : {"", "nothing", "gl_Position"})
         refused(white, position);
+    const std::string vertex = "#version 330 core\nout vec4 place;\nvoid main() { place = vec4(1.0); }\n";
+    CHECK_THROWS(
+        CaptureProgram(
+            {.vertexSource = vertex, .fragmentSource = "#version 330 core\n" + white, .position = "place"}),
+        ErrorKind::badShader);
     // An output of integers that is not the colour, or not compiled.
     CaptureProgram({.vertexSource = tests::plainVertex,
                     .fragmentSource = "#version 330 core\nlayout(location = 1) out uint id;\n"

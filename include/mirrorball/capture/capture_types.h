@@ -86,8 +86,8 @@ struct CaptureDraw
     // name. The eye of shading is the probe's centre, and no camera's frustum culls.
     unsigned int program;
     int view; // 0 … viewCount - 1: a component, or an octant of the octahedral map; -1 for all at once
-    unsigned int primitive =
-        4; // what glDraw* takes: GL_TRIANGLES (4), or GL_PATCHES for `tessellated` only, which draws nothing else
+    // What glDraw* takes: GL_TRIANGLES (4), or GL_PATCHES for `tessellated` only, which draws nothing else.
+    unsigned int primitive = 4;
 };
 
 // The target of a texture that the host hands over.

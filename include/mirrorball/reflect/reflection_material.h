@@ -23,7 +23,7 @@ enum class Lookup {
     sphere,   // the surroundings are taken for an ellipsoid, MaterialSettings::worldFromProxy
     box,      // … or for a box, which may be turned; neither need be centred on the probe
     distance, // the ray is marched against the captured distances; without any, as `infinite`
-    layered, // … of two layers of depth: the probe's Desc::layersOfDepth is 2; with one, about as `distance`
+    layered,  // … of two layers of depth: the probe's Desc::layersOfDepth is 2; of one, about as `distance`
 };
 
 MIRRORBALL_EXPORT std::optional<Lookup> lookupFromName(std::string_view name);
