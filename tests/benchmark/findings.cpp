@@ -155,8 +155,11 @@ std::span<const AimInfo, aimCount> aimInfos()
 std::vector<Aims> aimsOf(const std::vector<Row>& rows)
 {
     std::vector<Aims> aims;
-    for (const Rows& group : aimedAt(rows))
-        aims.push_back(aimsOfGroup(group));
+    for (const Rows& group : aimedAt(rows)) {
+        const Aims each = aimsOfGroup(group);
+        if (std::ranges::any_of(each.measured, [](const auto& figure) { return figure.has_value(); }))
+            aims.push_back(each);
+    }
     return aims;
 }
 

@@ -106,7 +106,7 @@ bool isThere(const SceneChoice& scene)
     return !isModel(scene) || std::filesystem::exists(scene.source);
 }
 
-std::vector<MapKind> mapsAt(const SceneChoice& scene, int cubeN, bool cullBackFaces, const Options& options)
+std::vector<MapKind> mapsAt(int cubeN, bool cullBackFaces, const Options& options)
 {
     if (!options.maps.empty())
         return options.maps;
@@ -115,10 +115,8 @@ std::vector<MapKind> mapsAt(const SceneChoice& scene, int cubeN, bool cullBackFa
     if (cullBackFaces || cubeN != mainN)
         return {std::begin(mainMaps), std::end(mainMaps)};
     std::vector<MapKind> all;
-    // Around the sphere map's rim triangles are bounded by the whole map: seconds a frame.
     for (const mirrorball::MapInfo& info : mirrorball::maps())
-        if (info.kind != MapKind::sphereMap || isSmall(scene))
-            all.push_back(info.kind);
+        all.push_back(info.kind);
     return all;
 }
 
@@ -203,7 +201,7 @@ std::vector<Group> makePlan(const Options& options, std::vector<std::string>& mi
                     continue;
                 Group group{&scene, cubeN, cullBackFaces, false, Vertices::shared, {}};
                 addRivals(group);
-                for (const MapKind map : mapsAt(scene, cubeN, cullBackFaces, options))
+                for (const MapKind map : mapsAt(cubeN, cullBackFaces, options))
                     addMap(group, map, options);
                 groups.push_back(std::move(group));
             }

@@ -1,47 +1,146 @@
-// No strips here: what is neither straight nor in a sector takes the whole layer.
+// No strips along an axis of the layer here.
 void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent) {}
 float mirrorballCapture_inflection(int view, vec3 edge, float at)
 {
     return -9.0;
 }
 
-// A triangle behind the map's plane, where the layer is an annulus of radius 1/2 sin(angle / 2): a box around the sector
-// that holds its vertices. False where it holds the axis or goes round it.
-bool mirrorballCapture_coverSector(vec3 unit[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
+// What is not straight on the disc is covered in its polar coordinates: azimuth, and the radius 1/2 sin(angle / 2) of an angle
+// to the axis +z, in units of n. The rim, at 1/2, is the one direction -z.
+
+// The radius of an angle, by its cotangent.
+float mirrorballCapture_discRadius(float cotangent)
 {
-    // The cap behind a plane z < 0 is convex: with its vertices in it, so is the triangle.
-    float nearest = max(max(unit[0].z, unit[1].z), unit[2].z);
-    vec3 edgeZ = vec3(edge[0].z, edge[1].z, edge[2].z);
-    vec3 slack = 1e-3 * vec3(length(edge[0]), length(edge[1]), length(edge[2]));
-    bool axis = all(greaterThanEqual(edgeZ, -slack)) || all(lessThanEqual(edgeZ, slack));
+    float sineSquared = 1.0 / (1.0 + cotangent * cotangent);
+    float cosine = cotangent * sqrt(sineSquared);
+    float share = cotangent > 0.0 ? sineSquared / (1.0 + cosine) : 1.0 - cosine;
+    return 0.5 * sqrt(0.5 * share);
+}
+
+vec2 mirrorballCapture_azimuthDirection(float azimuth)
+{
+    return vec2(cos(azimuth), sin(azimuth));
+}
+
+// The radii between which a triangle lies where the azimuth does between two, less than half a turn apart; empty where the
+// first is greater. A plane's inside is where m.z cotangent >= -(m.x cos + m.y sin), which asks least where that is greatest.
+vec2 mirrorballCapture_radiiBetween(vec3 planes[4], float from, float to)
+{
+    vec2 first = mirrorballCapture_azimuthDirection(from);
+    vec2 last = mirrorballCapture_azimuthDirection(to);
+    vec2 radii = vec2(0.0, 0.5);
+    for (int k = 0; k < 4; ++k) {
+        vec3 m = planes[k];
+        bool between = first.x * m.y - first.y * m.x >= 0.0 && m.x * last.y - m.y * last.x >= 0.0;
+        float greatest = between ? length(m.xy) : max(dot(m.xy, first), dot(m.xy, last));
+        greatest += 1e-5 * length(m);
+        float cotangent = clamp(greatest / max(abs(m.z), 1e-30), -1e6, 1e6);
+        float bound = mirrorballCapture_discRadius(m.z < 0.0 ? cotangent : -cotangent);
+        radii = m.z < 0.0 ? vec2(max(radii.x, bound), radii.y) : vec2(radii.x, min(radii.y, bound));
+    }
+    return radii;
+}
+
+// Where a triangle lies on the disc.
+struct mirrorballCapture_Sector
+{
+    float first, middle, last; // azimuths of the vertices, in order
+    bool around;               // all azimuths: it holds an end of the axis, or may, within rounding
+    bool rim;                  // and that is -z: the disc's rim, and the layer's corners, which repeat it
+};
+
+mirrorballCapture_Sector mirrorballCapture_sectorOf(vec3 unit[3], vec3 edge[3])
+{
     vec3 azimuth;
     for (int k = 0; k < 3; ++k) {
         azimuth[k] = atan(unit[k].y, unit[k].x);
         azimuth[k] -= 6.2831853 * floor((azimuth[k] - azimuth[0]) / 6.2831853 + 0.5);
     }
+    vec3 edgeZ = vec3(edge[0].z, edge[1].z, edge[2].z);
+    vec3 slack = 1e-6 * vec3(length(edge[0]), length(edge[1]), length(edge[2]));
+    float toAxis = min(min(length(unit[0].xy), length(unit[1].xy)), length(unit[2].xy));
+    mirrorballCapture_Sector sector;
     // atan may be off by some 1e-3.
-    float first = min(min(azimuth.x, azimuth.y), azimuth.z) - 4e-3;
-    float last = max(max(azimuth.x, azimuth.y), azimuth.z) + 4e-3;
-    if (nearest > -0.1 || axis || last - first > 2.8)
-        return false;
-    float inner = 0.5 * sqrt(0.5 * (1.0 - nearest));
+    sector.first = min(min(azimuth.x, azimuth.y), azimuth.z) - 4e-3;
+    sector.last = max(max(azimuth.x, azimuth.y), azimuth.z) + 4e-3;
+    sector.middle = max(min(max(azimuth.x, azimuth.y), azimuth.z), min(azimuth.x, azimuth.y));
+    // Without an end of the axis a triangle spans half a turn at most, and nearly that where an edge passes one.
+    sector.around = all(greaterThanEqual(edgeZ, -slack)) || all(lessThanEqual(edgeZ, slack)) ||
+                    sector.last - sector.first > 2.8 || toAxis < 1e-3;
+    sector.rim = sector.around && min(min(unit[0].z, unit[1].z), unit[2].z) < 0.0;
+    return sector;
+}
+
+#if MIRRORBALL_CURVED && MIRRORBALL_STRIPS > 1
+// A piece of a ring for each part of the azimuths, between the radii that the triangle has there.
+void mirrorballCapture_coverSector(vec3 planes[4], mirrorballCapture_Sector sector, inout mirrorballCapture_Cover cover)
+{
+    float first = sector.around ? -3.1415927 : sector.first;
+    float last = sector.around ? 3.1415927 : sector.last;
+    float middle = sector.around ? 0.0 : sector.middle;
+    int before = clamp(int(float(MIRRORBALL_STRIPS) * (middle - first) / (last - first) + 0.5), 1, MIRRORBALL_STRIPS - 1);
+    float border[MIRRORBALL_STRIPS + 1];
+    for (int index = 0; index <= MIRRORBALL_STRIPS; ++index)
+        border[index] = index < before ? mix(first, middle, float(index) / float(before))
+                                       : mix(middle, last, float(index - before) / float(MIRRORBALL_STRIPS - before));
+    float widest = max(middle - first, 0.0) / float(before);
+    widest = max(widest, (last - middle) / float(MIRRORBALL_STRIPS - before));
+    if (widest > 2.0) {
+        mirrorballCapture_coverLayer(cover);
+        return;
+    }
+    // A chord at a radius passes nearer to the centre by this factor.
+    float reach = mirrorballCapture_size.x / cos(0.5 * widest);
+    bool seen = false;
+    cover.breaks = 0;
+    vec2 previous = vec2(1.0, 0.0);
+    for (int strip = 0; strip <= MIRRORBALL_STRIPS; ++strip) {
+        vec2 radii = vec2(1.0, 0.0);
+        if (strip < MIRRORBALL_STRIPS)
+            radii = mirrorballCapture_radiiBetween(planes, border[strip], border[min(strip + 1, MIRRORBALL_STRIPS)]);
+        bool empty = radii.x > radii.y;
+        if (sector.rim && radii.y > 0.4999)
+            radii.y = 0.7072;
+        cover.breaks |= empty ? 2 << strip : 0; // nothing is drawn from these corners on
+        radii = empty ? vec2(1.0, 0.0) : radii;
+        seen = seen || !empty;
+        vec2 both = vec2(min(previous.x, radii.x), max(previous.y, radii.y));
+        vec2 outwards = mirrorballCapture_azimuthDirection(border[strip]);
+        float aside = sector.around ? 0.0 : strip == 0 ? -1.0 : strip == MIRRORBALL_STRIPS ? 1.0 : 0.0;
+        vec2 at = 0.5 * mirrorballCapture_size + aside * mirrorballCapture_guard * vec2(-outwards.y, outwards.x);
+        cover.corner[2 * strip] = at + max(both.x * mirrorballCapture_size.x - mirrorballCapture_guard, 0.0) * outwards;
+        cover.corner[2 * strip + 1] = at + (both.y * reach + 2.0 * mirrorballCapture_guard) * outwards;
+        previous = radii;
+    }
+    cover.breaks &= (2 << MIRRORBALL_STRIPS) - 1;
+    cover.count = seen ? 2 * MIRRORBALL_STRIPS + 2 : 0;
+}
+#else
+// A box around the piece of a ring that the triangle lies in.
+void mirrorballCapture_coverSector(vec3 planes[4], mirrorballCapture_Sector sector, inout mirrorballCapture_Cover cover)
+{
+    vec2 radii = mirrorballCapture_radiiBetween(planes, sector.first, sector.last);
     vec2 low = vec2(1.0);
     vec2 high = vec2(-1.0);
     for (int quarter = -6; quarter <= 6; ++quarter) {
-        float angle = clamp(float(quarter) * 1.5707963, first, last);
-        vec2 direction = vec2(cos(angle), sin(angle));
-        low = min(low, min(inner * direction, 0.5 * direction));
-        high = max(high, max(inner * direction, 0.5 * direction));
+        vec2 outwards = mirrorballCapture_azimuthDirection(clamp(float(quarter) * 1.5707963, sector.first, sector.last));
+        low = min(low, min(radii.x * outwards, radii.y * outwards));
+        high = max(high, max(radii.x * outwards, radii.y * outwards));
     }
-    low = (low + 0.5 - 2e-3) * mirrorballCapture_size - mirrorballCapture_guard;
-    high = (high + 0.5 + 2e-3) * mirrorballCapture_size + mirrorballCapture_guard;
+    low = (low + 0.5) * mirrorballCapture_size - mirrorballCapture_guard;
+    high = (high + 0.5) * mirrorballCapture_size + mirrorballCapture_guard;
     cover.corner[0] = low;
     cover.corner[1] = vec2(high.x, low.y);
     cover.corner[2] = vec2(low.x, high.y);
     cover.corner[3] = high;
     cover.count = 4;
-    return true;
+    cover.breaks = 0;
+    if (sector.around)
+        mirrorballCapture_coverLayer(cover);
+    else if (radii.x > radii.y)
+        cover.count = 0;
 }
+#endif
 
 void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mirrorballCapture_Cover cover)
 {
@@ -58,10 +157,10 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     for (int k = 0; k < 3; ++k)
         p[k] = mirrorballCapture_squareFromDirection(view, vertex[k]) * mirrorballCapture_size;
     mirrorballCapture_coverTriangle(p, chord * chord * MIRRORBALL_SAG, cover);
-    bool covered = straight;
-    for (int turns = straight ? 0 : 1; turns > 0; --turns)
-        covered = mirrorballCapture_coverSector(unit, edge, cover);
     // A loop of one turn, since software rasterisers skip loops that nobody enters.
-    for (int turns = covered ? 0 : 1; turns > 0; --turns)
-        mirrorballCapture_coverLayer(cover);
+    for (int turns = straight ? 0 : 1; turns > 0; --turns) {
+        vec3 planes[4];
+        mirrorballCapture_boundingPlanes(vertex, edge, planes);
+        mirrorballCapture_coverSector(planes, mirrorballCapture_sectorOf(unit, edge), cover);
+    }
 }
