@@ -139,8 +139,7 @@ Files traceMap(const Options& options, const Scene& scene)
         forEachRow(height, [&](int row) {
             for (int column = 0; column < width; ++column) {
                 const glm::dvec3 direction =
-                    worldFromProbe *
-                    referenceDirection(info.name, component, (column + 0.5) / width, (row + 0.5) / height);
+                    worldFromProbe * referenceRay(info.name, component, column, row, width, height);
                 samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(column)] = traced(options, scene, tracer, direction);
             }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 namespace examples {
@@ -33,27 +34,27 @@ double evenLatitude(double a)
     return 2.0 * std::sqrt(p / 3.0) * std::sinh(w);
 }
 
-glm::dvec3 paraboloidFrom(int component, double a, double b)
+// These are homogeneous: a, b and n may be multiplied by any number alike.
+glm::dvec3 paraboloidFrom(int component, double a, double b, double n)
 {
-    const double s = a * a + b * b;
-    const double z = (1.0 - s) / (1.0 + s);
-    return {2.0 * a / (1.0 + s), 2.0 * b / (1.0 + s), component == 0 ? -z : z};
+    const double z = n * n - a * a - b * b;
+    return {2.0 * a * n, 2.0 * b * n, component == 0 ? -z : z};
 }
 
 // OpenGL 4.6, table 8.19, solved for the direction.
-glm::dvec3 cubeFrom(int component, double a, double b)
+glm::dvec3 cubeFrom(int component, double a, double b, double n)
 {
-    const glm::dvec3 sides[] = {{1, -b, -a}, {-1, -b, a}, {a, 1, b}, {a, -1, -b}, {a, -b, 1}, {-a, -b, -1}};
+    const glm::dvec3 sides[] = {{n, -b, -a}, {-n, -b, a}, {a, n, b}, {a, -n, -b}, {a, -b, n}, {-a, -b, -n}};
     return sides[component];
 }
 
-glm::dvec3 octahedralFrom(double a, double b)
+glm::dvec3 octahedralFrom(double a, double b, double n)
 {
-    const double z = 1.0 - std::abs(a) - std::abs(b);
+    const double z = n - std::abs(a) - std::abs(b);
     if (z >= 0.0) {
         return {a, b, z};
     }
-    return {std::copysign(1.0 - std::abs(b), a), std::copysign(1.0 - std::abs(a), b), z};
+    return {std::copysign(n - std::abs(b), a), std::copysign(n - std::abs(a), b), z};
 }
 
 glm::dvec3 equirectangularFrom(double u, double v)
@@ -64,43 +65,65 @@ glm::dvec3 equirectangularFrom(double u, double v)
             -std::cos(latitude) * std::cos(longitude)};
 }
 
-// With p = u − 1/2, q = v − 1/2 on the unit sphere m² = 8 (1 + z), so p² + q² = (1 − z) / 8.
-glm::dvec3 sphereMapFrom(double p, double q)
+// With p = u − 1/2 = a / 2 n, q = v − 1/2 = b / 2 n on the unit sphere m² = 8 (1 + z), so p² + q² = (1 − z) / 8; here
+// over m / 2 n.
+glm::dvec3 sphereMapFrom(double a, double b, double n)
 {
-    const double s = std::fmin(p * p + q * q, 0.25);
-    const double m = 4.0 * std::sqrt(1.0 - 4.0 * s);
-    return {p * m, q * m, 1.0 - 8.0 * s};
+    const double inside = n * n - a * a - b * b;
+    if (inside <= 0.0) {
+        return {0.0, 0.0, -1.0};
+    }
+    return {a, b, (inside - a * a - b * b) / (2.0 * std::sqrt(inside))};
+}
+
+// For (a, b) in [-n, n]; nothing of maps that need the angle itself.
+std::optional<glm::dvec3> homogeneousRay(std::string_view mapName, int component, double a, double b,
+                                         double n)
+{
+    if (mapName == "dual-paraboloid") {
+        return paraboloidFrom(component, a, b, n);
+    }
+    if (mapName == "cube") {
+        return cubeFrom(component, a, b, n);
+    }
+    if (mapName == "octahedral") {
+        return octahedralFrom(a, b, n);
+    }
+    if (mapName == "sphere-map") {
+        return sphereMapFrom(a, b, n);
+    }
+    return std::nullopt;
 }
 
 } // namespace
+
+glm::dvec3 referenceRay(std::string_view mapName, int component, int column, int row, int width, int height)
+{
+    if (const auto ray =
+            homogeneousRay(mapName, component, 2 * column + 1 - width, 2 * row + 1 - height, width)) {
+        return *ray;
+    }
+    return referenceDirection(mapName, component, (column + 0.5) / width, (row + 0.5) / height);
+}
 
 glm::dvec3 referenceDirection(std::string_view mapName, int component, double u, double v)
 {
     const double a = 2.0 * u - 1.0;
     const double b = 2.0 * v - 1.0;
+    if (const auto ray = homogeneousRay(mapName, component, a, b, 1.0)) {
+        return glm::normalize(*ray);
+    }
     if (mapName == "tennis-ball") {
         return tennisBallFrom(component, std::sin(a * pi / 4.0), b * 0.75 * pi);
     }
     if (mapName == "tennis-ball-even") {
         return tennisBallFrom(component, evenLatitude(a) / std::numbers::sqrt2, b * 0.75 * pi);
     }
-    if (mapName == "dual-paraboloid") {
-        return paraboloidFrom(component, a, b);
-    }
-    if (mapName == "cube") {
-        return glm::normalize(cubeFrom(component, a, b));
-    }
     if (mapName == "equi-angular-cube") {
-        return glm::normalize(cubeFrom(component, std::tan(a * pi / 4.0), std::tan(b * pi / 4.0)));
-    }
-    if (mapName == "octahedral") {
-        return glm::normalize(octahedralFrom(a, b));
+        return glm::normalize(cubeFrom(component, std::tan(a * pi / 4.0), std::tan(b * pi / 4.0), 1.0));
     }
     if (mapName == "equirectangular") {
         return equirectangularFrom(u, v);
-    }
-    if (mapName == "sphere-map") {
-        return sphereMapFrom(u - 0.5, v - 0.5);
     }
     throw mirrorball::Error(mirrorball::ErrorKind::unknownName, "map " + std::string(mapName),
                             "the reference knows no map of this name");

@@ -237,9 +237,9 @@ ReferenceGeometry& ReferenceGeometry::operator=(ReferenceGeometry&&) noexcept = 
 Hit ReferenceGeometry::trace(const glm::dvec3& originInWorld, const glm::dvec3& direction, double near,
                              double far) const
 {
-    const glm::dvec3 unitDirection = glm::normalize(direction);
+    const double length = glm::length(direction);
     const glm::vec3 start(originInWorld - embree_->origin);
-    const glm::vec3 along(unitDirection);
+    const glm::vec3 along(direction); // as it is: where its coordinates are floats, so are Embree's
     RTCRayHit query{};
     query.ray.org_x = start.x;
     query.ray.org_y = start.y;
@@ -247,8 +247,8 @@ Hit ReferenceGeometry::trace(const glm::dvec3& originInWorld, const glm::dvec3& 
     query.ray.dir_x = along.x;
     query.ray.dir_y = along.y;
     query.ray.dir_z = along.z;
-    query.ray.tnear = static_cast<float>(near);
-    query.ray.tfar = static_cast<float>(far);
+    query.ray.tnear = static_cast<float>(near / length);
+    query.ray.tfar = static_cast<float>(far / length);
     query.ray.mask = 0xffffffffu;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
@@ -257,7 +257,8 @@ Hit ReferenceGeometry::trace(const glm::dvec3& originInWorld, const glm::dvec3& 
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return {};
     }
-    return embree_->measured(query, originInWorld, unitDirection);
+    query.ray.tfar *= static_cast<float>(length);
+    return embree_->measured(query, originInWorld, direction / length);
 }
 
 } // namespace examples

@@ -114,7 +114,8 @@ class Assembly
 public:
     Assembly(const CaptureProgram::Implementation& host, const Variant& variant)
         : host_(host), variant_(variant), carriage_(carriageOf(variant)), defines_(defines(host, variant)),
-          map_(mapGlsl(variant.map, GlslVersion::glsl330, prefix, GlslInputs::regular))
+          map_(mapGlsl(variant.map, GlslVersion::glsl330, prefix, GlslInputs::regular)),
+          rays_(mapRaysGlsl(variant.map, GlslVersion::glsl330, prefix))
     {
     }
 
@@ -199,7 +200,7 @@ public:
         const bool dropsSmear = defines_.find("DROPS_SMEAR 1") != std::string::npos;
         changes.prelude += ours() + define("READS_FRONT_FACING", facing) +
                            define("READS_PRIMITIVE_ID", primitive) + (isExact() || dropsSmear ? map_ : "") +
-                           std::string(shaders::fragmentPeel) +
+                           (isExact() ? rays_ : "") + std::string(shaders::fragmentPeel) +
                            std::string(isExact() ? shaders::fragmentExact : shaders::fragmentInterpolated);
         return host_.fragment.versionLine() + host_.fragment.body(changes) + "#line 1 1\n" +
                fragmentVaryings(host_.varyings, carriage_) +
@@ -224,6 +225,7 @@ private:
     Carriage carriage_;
     std::string defines_;
     std::string map_;
+    std::string rays_;
 };
 
 LinkedProgram link(const CaptureProgram::Implementation& host, const Variant& variant)

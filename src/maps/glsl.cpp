@@ -201,6 +201,36 @@ std::string coordinateFromDirectionFunction(const FunctionPrinter& print)
                               "    return vec3(clamp(uv, 0.0, 1.0), float(component));\n");
 }
 
+template <class Map>
+constexpr bool hasRays = requires(const GlslIndex& component, const Vec2<Recorded>& p)
+{
+    Map::rayFromCentre(component, p, p.x);
+};
+
+template <class Map>
+std::string rayFunctions(const FunctionPrinter& print)
+{
+    const auto both = [&](const std::string& body, const std::string& length) {
+        return print.function("vec3", "rayOfTexel",
+                              print.parameter("int", "component") + ", " + print.parameter("vec2", "place") +
+                                  ", " + print.parameter("vec2", "size"),
+                              body) +
+               "\n" +
+               print.function("float", "rayLength", print.parameter("vec3", "ray"),
+                              "    return " + length + ";\n");
+    };
+    if constexpr (hasRays<Map>) {
+        const GlslIndex component(glslVariable(GlslType::index, "component"));
+        const Vec3<Recorded> ray = Map::rayFromCentre(component, vec2Variable("p"), realVariable("reach"));
+        return both(print.regularised("float", "", "reach", "0.5 * size.x") +
+                        print.regularised("vec2", "", "p", "place - reach") +
+                        print.returned("vec3", {ray.x.tree, ray.y.tree, ray.z.tree}),
+                    "length(ray)");
+    } else
+        return both("    return " + print.prefix() + "directionFromSquare(component, place / size);\n",
+                    "1.0");
+}
+
 // The chain rule through squareFromDirection, recorded instead of computed.
 template <class Map>
 std::string squareDerivativesFunction(const FunctionPrinter& print)
@@ -264,6 +294,14 @@ std::string mapGlsl(MapKind map, GlslVersion version, const std::string& prefix,
                print.parameter("int", prefix + "components") + " = " + std::to_string(Map::info.components) +
                ";\n\n" + neededHelpers(print, Map::front, functions) + functions;
     });
+}
+
+std::string mapRaysGlsl(MapKind map, GlslVersion version, const std::string& prefix)
+{
+    mapInfo(map); // throws
+    checkPrefix(prefix);
+    const FunctionPrinter print(version, prefix, GlslInputs::regular);
+    return visitMap(map, [&](auto formula) { return rayFunctions<decltype(formula)>(print); });
 }
 
 std::string mapDerivativesGlsl(MapKind map, GlslVersion version, const std::string& prefix)

@@ -115,17 +115,18 @@ std::vector<TrueTexel> traceMap(const examples::ReferenceTracer& tracer, const S
         const int component = job / rowsJudged, row = job % rowsJudged * step;
         for (int column = 0; column < width; column += step) {
             const glm::dvec2 uv = glm::dvec2(column + 0.5, row + 0.5) * texel;
-            const glm::dvec3 inProbe = examples::referenceDirection(info.name, component, uv.x, uv.y);
+            const glm::dvec3 inProbe =
+                examples::referenceRay(info.name, component, column, row, width, height);
             if (!belongs(map, component, uv, inProbe, texel))
                 continue;
-            const glm::dvec3 direction = worldFromProbe * inProbe;
-            const examples::Hit hit = tracer.trace(scene.at, direction, static_cast<double>(scene.near),
-                                                   static_cast<double>(scene.far));
+            const glm::dvec3 ray = worldFromProbe * inProbe;
+            const examples::Hit hit =
+                tracer.trace(scene.at, ray, static_cast<double>(scene.near), static_cast<double>(scene.far));
             const auto index =
                 static_cast<std::size_t>(component * height + row) * static_cast<std::size_t>(width) +
                 static_cast<std::size_t>(column);
             rows[static_cast<std::size_t>(job)].push_back(
-                {index, direction, hit.distance, hit.edgeAngle, hit.triangle});
+                {index, glm::normalize(ray), hit.distance, hit.edgeAngle, hit.triangle});
         }
     });
     std::vector<TrueTexel> result;

@@ -113,3 +113,20 @@ vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, ve
                 0.5 * (((alongX ? t * alongV.z : alongY ? alongV.x : side * alongV.x) - t4 * divisorV) / divisor),
                 0.5 * (((alongX ? -alongV.y : alongY ? side * alongV.z : -alongV.y) - t5 * divisorV) / divisor));
 }
+
+vec3 mirrorball_rayOfTexel(int component, vec2 place, vec2 size)
+{
+    float reach = 0.5 * size.x;
+    vec2 p = place - reach;
+    bool alongX = component == 0 || component == 1;
+    float side = component == 1 || component == 3 || component == 5 ? -1.0 : 1.0;
+    bool alongY = component == 2 || component == 3;
+    return vec3(alongX ? side * reach : alongY ? p.x : side * p.x,
+                alongX ? -p.y : alongY ? side * reach : -p.y,
+                alongX ? -side * p.x : alongY ? side * p.y : side * reach);
+}
+
+float mirrorball_rayLength(vec3 ray)
+{
+    return length(ray);
+}

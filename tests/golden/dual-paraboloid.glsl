@@ -105,3 +105,17 @@ vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, ve
                 0.5 * ((alongV.x - t6 * divisorV) / divisor),
                 0.5 * ((alongV.y - t10 * divisorV) / divisor));
 }
+
+vec3 mirrorball_rayOfTexel(int component, vec2 place, vec2 size)
+{
+    float reach = 0.5 * size.x;
+    vec2 p = place - reach;
+    float twice = 2.0 * reach;
+    float ahead = reach * reach - (p.x * p.x + p.y * p.y);
+    return vec3(twice * p.x, twice * p.y, component == 0 ? -ahead : ahead);
+}
+
+float mirrorball_rayLength(vec3 ray)
+{
+    return length(ray);
+}

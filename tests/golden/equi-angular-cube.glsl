@@ -157,3 +157,13 @@ vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, ve
                 2.0 * ((divisor * (alongX ? t3 * alongV.z : alongY ? alongV.x : side * alongV.x) - t4 * divisorV) * t6),
                 2.0 * ((divisor * (alongX ? -alongV.y : alongY ? side * alongV.z : -alongV.y) - t7 * divisorV) * t9));
 }
+
+vec3 mirrorball_rayOfTexel(int component, vec2 place, vec2 size)
+{
+    return mirrorball_directionFromSquare(component, place / size);
+}
+
+float mirrorball_rayLength(vec3 ray)
+{
+    return 1.0;
+}

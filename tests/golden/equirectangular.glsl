@@ -131,3 +131,13 @@ vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, ve
     float latitudeV = (t3 * alongV.y - direction.y * (t5 * (alongV.x * direction.x + direction.x * alongV.x + (alongV.z * direction.z + direction.z * alongV.z)))) * t7;
     return vec4(0.5 * longitudeU, -latitudeU, 0.5 * longitudeV, -latitudeV);
 }
+
+vec3 mirrorball_rayOfTexel(int component, vec2 place, vec2 size)
+{
+    return mirrorball_directionFromSquare(component, place / size);
+}
+
+float mirrorball_rayLength(vec3 ray)
+{
+    return 1.0;
+}

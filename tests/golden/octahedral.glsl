@@ -118,3 +118,19 @@ vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, ve
                 0.5 * (below ? -(t4 ? -bV : bV) * t6 : aV),
                 0.5 * (below ? -(t8 ? -aV : aV) * t9 : bV));
 }
+
+vec3 mirrorball_rayOfTexel(int component, vec2 place, vec2 size)
+{
+    float reach = 0.5 * size.x;
+    vec2 p = place - reach;
+    float z = reach - abs(p.x) - abs(p.y);
+    bool below = z < 0.0;
+    return vec3(below ? (reach - abs(p.y)) * mirrorball_signNotZero(p.x) : p.x,
+                below ? (reach - abs(p.x)) * mirrorball_signNotZero(p.y) : p.y,
+                z);
+}
+
+float mirrorball_rayLength(vec3 ray)
+{
+    return length(ray);
+}

@@ -153,3 +153,21 @@ vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, ve
                 0.5 * (factorV * t25 + factor * (behind ? (acrossV - t24 * rangeV) / range : alongV.x)),
                 0.5 * (factorV * t31 + factor * (behind ? (upV - t30 * rangeV) / range : alongV.y)));
 }
+
+vec3 mirrorball_rayOfTexel(int component, vec2 place, vec2 size)
+{
+    float reach = 0.5 * size.x;
+    vec2 p = place - reach;
+    float pp = p.x * p.x + p.y * p.y;
+    float inside = reach * reach - pp;
+    bool beyond = inside <= 0.0;
+    float root = sqrt(beyond ? 1.0 : inside);
+    return vec3(beyond ? 0.0 : p.x,
+                beyond ? 0.0 : p.y,
+                beyond ? -1.0 : (inside - pp) / (2.0 * root));
+}
+
+float mirrorball_rayLength(vec3 ray)
+{
+    return length(ray);
+}

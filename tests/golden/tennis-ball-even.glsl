@@ -159,3 +159,13 @@ vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, ve
                 0.5 * (tV * t7 + t6 * (0.042 * (tV * t6 + t6 * tV))),
                 0.6666667 * ((z * xV - x * zV) * t9));
 }
+
+vec3 mirrorball_rayOfTexel(int component, vec2 place, vec2 size)
+{
+    return mirrorball_directionFromSquare(component, place / size);
+}
+
+float mirrorball_rayLength(vec3 ray)
+{
+    return 1.0;
+}

@@ -154,3 +154,13 @@ vec4 mirrorball_squareDerivatives(int component, vec3 direction, vec3 alongU, ve
     float longitudeV = (z * xV - x * zV) * t7;
     return vec4(2.0 * latitudeU, 0.6666667 * longitudeU, 2.0 * latitudeV, 0.6666667 * longitudeV);
 }
+
+vec3 mirrorball_rayOfTexel(int component, vec2 place, vec2 size)
+{
+    return mirrorball_directionFromSquare(component, place / size);
+}
+
+float mirrorball_rayLength(vec3 ray)
+{
+    return 1.0;
+}

@@ -24,7 +24,8 @@ std::string goldenFile(const MapInfo& map)
 std::string goldenText(const MapInfo& map)
 {
     return glslVersionLine(GlslVersion::glsl330) + "\n" + mapGlsl(map.kind, GlslVersion::glsl330) + "\n" +
-           mapDerivativesGlsl(map.kind, GlslVersion::glsl330);
+           mapDerivativesGlsl(map.kind, GlslVersion::glsl330) + "\n" +
+           mapRaysGlsl(map.kind, GlslVersion::glsl330);
 }
 
 void writeGolden()
@@ -70,7 +71,7 @@ std::string fragmentShader(GlslVersion version, const MapInfo& first, const MapI
     if (version == GlslVersion::es300)
         shader += "precision mediump float;\nprecision mediump int;\n";
     shader += mapGlsl(first.kind, version, "first_") + mapGlsl(second.kind, version, "second_") +
-              mapDerivativesGlsl(first.kind, version, "first_");
+              mapDerivativesGlsl(first.kind, version, "first_") + mapRaysGlsl(first.kind, version, "first_");
     return shader + R"(
 in vec3 direction;
 out vec4 colour;
@@ -78,7 +79,8 @@ void main()
 {
     vec3 a = first_coordinateFromDirection(direction);
     vec2 b = second_squareFromDirection(second_componentOf(direction), direction);
-    colour = vec4(first_directionFromSquare(int(a.z), a.xy) + second_directionFromSquare(second_components - 1, b),
+    vec3 ray = first_rayOfTexel(int(a.z), a.xy, b);
+    colour = vec4(ray / first_rayLength(ray) + first_directionFromSquare(int(a.z), a.xy) + second_directionFromSquare(second_components - 1, b),
                   float(first_components)) + first_squareDerivatives(int(a.z), direction, a, a.zyx);
 }
 )";

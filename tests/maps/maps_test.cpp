@@ -3,6 +3,8 @@
 #include "maps/reference.h"
 #include "support/check.h"
 
+#include <mirrorball/maps/visit.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -111,10 +113,41 @@ void checkAll(int count)
             checkDirection<Number>(map.kind, direction);
 }
 
+// A texel's ray has its direction, and float finds it without rounding, but for the sphere map's z.
+template <class Map>
+void checkRays()
+{
+    using mirrorball::Vec2;
+    for (const int n : {64, 157})
+        for (int component = 0; component < Map::info.components; ++component)
+            for (int texel = 0; texel < n * n; ++texel) {
+                const int column = texel % n, row = texel / n;
+                const Vec2<double> p{column + 0.5 - 0.5 * n, row + 0.5 - 0.5 * n};
+                const auto ray = Map::template rayFromCentre<double>(component, p, 0.5 * n);
+                const auto direction = Map::template directionFromSquare<double>(
+                    component, Vec2<double>{(column + 0.5) / n, (row + 0.5) / n});
+                const double length = std::sqrt(ray.x * ray.x + ray.y * ray.y + ray.z * ray.z);
+                // Near the sphere map's rim directionFromSquare loses digits.
+                const double bound = Map::info.kind == MapKind::sphereMap ? 1e-13 : Bounds<double>::direction;
+                CHECK_NEAR(ray.x / length, direction.x, bound);
+                CHECK_NEAR(ray.y / length, direction.y, bound);
+                CHECK_NEAR(ray.z / length, direction.z, bound);
+                const auto inFloat = Map::template rayFromCentre<float>(
+                    component, Vec2<float>{static_cast<float>(p.x), static_cast<float>(p.y)},
+                    0.5f * static_cast<float>(n));
+                CHECK(double(inFloat.x) == ray.x && double(inFloat.y) == ray.y);
+                CHECK_NEAR(inFloat.z, ray.z, Map::info.kind == MapKind::sphereMap ? 2e-7 * length : 0.0);
+            }
+}
+
 } // namespace
 
 int main()
 {
+    checkRays<mirrorball::Cube>();
+    checkRays<mirrorball::Octahedral>();
+    checkRays<mirrorball::DualParaboloid>();
+    checkRays<mirrorball::SphereMap>();
     checkAll<float>(20000);
     checkAll<double>(20000);
 }

@@ -98,11 +98,11 @@ Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
         examples::forEachRow(height, [&](int row) {
             Exactness part;
             for (int column = 0; column < width; ++column) {
-                const glm::dvec3 direction =
-                    worldFromProbe * examples::referenceDirection(info.name, layer, (column + 0.5) / width,
-                                                                  (row + 0.5) / height);
-                const examples::Hit hit = tracer.trace(at, direction, static_cast<double>(probe.near()),
-                                                       static_cast<double>(desc.far));
+                const glm::dvec3 ray =
+                    worldFromProbe * examples::referenceRay(info.name, layer, column, row, width, height);
+                const glm::dvec3 direction = glm::normalize(ray);
+                const examples::Hit hit =
+                    tracer.trace(at, ray, static_cast<double>(probe.near()), static_cast<double>(desc.far));
                 const std::size_t texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                                           static_cast<std::size_t>(column);
                 const examples::Sample& sample = layers[static_cast<std::size_t>(layer)][texel];

@@ -73,6 +73,14 @@ struct Cube
         return {unitFromSigned(st.x), unitFromSigned(st.y)};
     }
 
+    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away: of texels, in whole
+    // numbers and halves, without a rounding.
+    template <class Real>
+    static Vec3<Real> rayFromCentre(const Index<Real>& component, const Vec2<Real>& p, const Real& reach)
+    {
+        return fromLocal(component, Vec3<Real>{p.x, p.y, reach});
+    }
+
     template <class Real>
     static Vec3<Real> directionFromSquare(const Index<Real>& component, const Vec2<Real>& uv)
     {

@@ -34,6 +34,16 @@ struct DualParaboloid
         return {unitFromSigned(d.x / divisor), unitFromSigned(d.y / divisor)};
     }
 
+    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away: of texels, in whole
+    // numbers and halves, without a rounding up to n = 2048.
+    template <class Real>
+    static Vec3<Real> rayFromCentre(const Index<Real>& component, const Vec2<Real>& p, const Real& reach)
+    {
+        const Real ahead = named(reach * reach - (p.x * p.x + p.y * p.y), "ahead");
+        const Real twice = named(Real(2) * reach, "twice");
+        return {twice * p.x, twice * p.y, select(component == 0, -ahead, ahead)};
+    }
+
     template <class Real>
     static Vec3<Real> directionFromSquare(const Index<Real>& component, const Vec2<Real>& uv)
     {

@@ -31,6 +31,15 @@ MIRRORBALL_EXPORT std::string mapGlsl(MapKind map, GlslVersion version,
                                       const std::string& prefix = "mirrorball_",
                                       GlslInputs inputs = GlslInputs::any);
 
+// For pass 1: the direction, of any length, at a place in a layer of so many texels, and that length. On cube, octahedral and
+// dual-paraboloid maps it is of whole numbers (on the sphere map its x and y are), so that an edge which runs through a
+// texel's centre is met there to the last bit; other maps' have unit length.
+//     vec3  <prefix>rayOfTexel(int component, vec2 place, vec2 size)
+//     float <prefix>rayLength(vec3 ray)
+// They call functions of mapGlsl with the same prefix.
+MIRRORBALL_EXPORT std::string mapRaysGlsl(MapKind map, GlslVersion version,
+                                          const std::string& prefix = "mirrorball_");
+
 // How (u, v) changes with a regular direction, along two changes of it: the derivatives of the same formula.
 //     vec4 <prefix>squareDerivatives(int component, vec3 direction, vec3 alongU, vec3 alongV)
 //                                           xy: those of (u, v) along the first change, zw: along the second

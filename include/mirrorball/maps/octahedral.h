@@ -39,6 +39,17 @@ struct Octahedral
                 unitFromSigned(select(below, (Real(1) - abs(a)) * signNotZero(d.y), b))};
     }
 
+    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away: of texels, in whole
+    // numbers and halves, without a rounding.
+    template <class Real>
+    static Vec3<Real> rayFromCentre(const Index<Real>&, const Vec2<Real>& p, const Real& reach)
+    {
+        const Real z = named(reach - abs(p.x) - abs(p.y), "z");
+        const auto below = named(z < Real(0), "below");
+        return {select(below, (reach - abs(p.y)) * signNotZero(p.x), p.x),
+                select(below, (reach - abs(p.x)) * signNotZero(p.y), p.y), z};
+    }
+
     template <class Real>
     static Vec3<Real> directionFromSquare(const Index<Real>&, const Vec2<Real>& uv)
     {

@@ -52,6 +52,19 @@ struct SphereMap
         return {a * scale, b * scale, Real(1) - Real(2) * rr};
     }
 
+    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away: of texels up to
+    // n = 2048, in whole numbers and halves, only z is rounded, and no digit is lost at the rim.
+    template <class Real>
+    static Vec3<Real> rayFromCentre(const Index<Real>&, const Vec2<Real>& p, const Real& reach)
+    {
+        const Real pp = named(p.x * p.x + p.y * p.y, "pp");
+        const Real inside = named(reach * reach - pp, "inside");
+        const auto beyond = named(inside <= Real(0), "beyond");
+        const Real root = named(sqrt(select(beyond, Real(1), inside)), "root");
+        return {select(beyond, Real(0), p.x), select(beyond, Real(0), p.y),
+                select(beyond, Real(-1), (inside - pp) / (Real(2) * root))};
+    }
+
 private:
     // (x, y) at length 1, however short it was; (1, 0) for (0, 0).
     template <class Real>

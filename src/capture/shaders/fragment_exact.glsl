@@ -1,4 +1,4 @@
-// Exact capture, the fragment stage: the texel's own direction against the triangle's edges. All arithmetic of a texel
+// Exact capture, the fragment stage: the texel's own ray against the triangle's edges. All arithmetic of a texel
 // depends on nothing but the texel and the triangle, so neighbouring triangles neither crack nor overlap.
 uniform vec2 mirrorballCapture_range; // near, far
 uniform vec2 mirrorballCapture_size;
@@ -16,12 +16,12 @@ bool mirrorballCapture_hit;
 
 void mirrorballCapture_begin()
 {
-    vec3 direction = mirrorballCapture_directionFromSquare(mirrorballCapture_numbers.y, gl_FragCoord.xy / mirrorballCapture_size);
-    vec3 inside = vec3(dot(direction, mirrorballCapture_edge0), dot(direction, mirrorballCapture_edge1),
-                       dot(direction, mirrorballCapture_edge2));
+    vec3 ray = mirrorballCapture_rayOfTexel(mirrorballCapture_numbers.y, gl_FragCoord.xy, mirrorballCapture_size);
+    vec3 inside = vec3(dot(ray, mirrorballCapture_edge0), dot(ray, mirrorballCapture_edge1), dot(ray, mirrorballCapture_edge2));
     // Positions hit in proportion to these weights: perspective-correct without a projection.
     mirrorballCapture_weight = inside / (inside.x + inside.y + inside.z);
-    float radius = mirrorballCapture_trianglePlane.w / dot(mirrorballCapture_trianglePlane.xyz, direction);
+    float radius = mirrorballCapture_trianglePlane.w / dot(mirrorballCapture_trianglePlane.xyz, ray) *
+                   mirrorballCapture_rayLength(ray);
     mirrorballCapture_hit = (all(greaterThanEqual(inside, vec3(0.0))) || all(lessThanEqual(inside, vec3(0.0)))) &&
                             radius >= mirrorballCapture_range.x && radius <= mirrorballCapture_range.y;
     mirrorballCapture_radius = radius;
