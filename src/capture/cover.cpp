@@ -25,7 +25,7 @@ int eventsOf(MapKind map)
     case MapKind::cube:
     case MapKind::equiAngularCube:
     case MapKind::octahedral:
-    case MapKind::sphereMap: // which has no strips
+    case MapKind::sphereMap: // whose strips of azimuth need none
         break;
     }
     return 3;

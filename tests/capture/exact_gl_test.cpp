@@ -32,7 +32,7 @@ void check(const std::string& name, const examples::Scene& scene, const glm::dve
     std::printf("%-32s %-18s wrong %.4f %% (%zu, %zu far off), distance %.2g\n", name.c_str(),
                 std::string(mapInfo(map).name).c_str(), found.wrongPercent(), found.wrong, found.wrongFarOff,
                 found.worstDistance);
-    // Where edges run through texels' centres, drivers that divide by multiplying decide otherwise than the trace.
+    // Where edges run through texels' centres, drivers that contract products and sums decide otherwise than the trace.
     // A leaf ends within its triangle, where GPUs weigh a texture's texels in steps of 1/256: 1 of 6,144 was found.
     const std::size_t ofLeaves =
         scene.name == "builtin:garden" ? std::min(found.wrongFarOff, found.texels / 2000) : 0;
@@ -118,6 +118,30 @@ examples::Scene difficultTriangles(unsigned int seed, int count)
     return sceneOf(triangles);
 }
 
+// Each alone, since what one cover lacks another surface may show: an edge that runs through an axis exactly, a vertex on
+// it, and needles whose places on the sphere map the rasteriser's steps move off their covers unless these allow for it.
+std::vector<std::array<glm::vec3, 3>> lonelyTriangles()
+{
+    std::vector<std::array<glm::vec3, 3>> triangles = {
+        {glm::vec3(0, 0, -3), glm::vec3(36.34f, 17.66f, -0.26f), glm::vec3(10, -20, -0.26f)},
+        {glm::vec3(-8.66001173e-08f, 5.00041999e-08f, 1),
+         glm::vec3(-0.500041962f, -0.866001189f, -0.600000024f),
+         glm::vec3(-0.989193082f, -0.14661862f, -0.600000024f)},
+        {glm::vec3(-0.0660410076f, 0.198200658f, 4.17479086f),
+         glm::vec3(-0.44617787f, 1.33947194f, 0.0682221055f),
+         glm::vec3(-0.494058013f, 1.4806999f, -0.710683167f)}};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-2.0f, 2.0f}) {
+            glm::vec3 first(0.0f), last(0.0f), third(0.0f);
+            first[axis] = last[axis] = third[axis] = side;
+            first[(axis + 1) % 3] = 1.0f;
+            last[(axis + 1) % 3] = -1.0f;
+            third[(axis + 2) % 3] = 1.0f;
+            triangles.push_back({first, last, third});
+        }
+    return triangles;
+}
+
 // A needle of the house that lies along one row of texels of the equi-angular cube at n = 64, thinner than the
 // rasteriser's steps: its covering polygon once lost half of it.
 examples::Scene needleAlongARow()
@@ -183,6 +207,13 @@ int main(int argc, char** argv)
             check("random triangles", randomTriangles(seed, 40), glm::dvec3(0.0), n, info.kind, nearFirst);
             check("difficult triangles", difficultTriangles(seed, 48), glm::dvec3(0.0), n, info.kind,
                   nearFirst);
+        }
+        for (const auto& triangle : lonelyTriangles())
+            check("a triangle alone", sceneOf({triangle}), glm::dvec3(0.0), 64, info.kind);
+        for (const examples::Mesh& mesh : difficultTriangles(1, 24).meshes) {
+            const auto& p = mesh.positions;
+            check("a difficult triangle alone", sceneOf({{p[0], p[1], p[2]}}), glm::dvec3(0.0), 32,
+                  info.kind);
         }
         check("a needle along a row", needleAlongARow(), glm::dvec3(0.0), 64, info.kind);
         checkDropped(info.kind);

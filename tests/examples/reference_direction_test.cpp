@@ -109,6 +109,8 @@ void testRoundTrip(std::string_view map, int components)
             }
             const glm::dvec3 d = referenceDirection(map, component, u, v);
             CHECK_NEAR(glm::length(d), 1.0, 4e-16); // two units in the last place of 1
+            const glm::dvec3 ray = examples::referenceRay(map, component, i % n, i / n, n, n);
+            CHECK(glm::distance(glm::normalize(ray), d) <= 4e-16);
             const Square back = forward(map, component, Real(d.x), Real(d.y), Real(d.z));
             // A direction is right to a few units in the last place; on this grid, half a cell from every
             // border, the worst slope of a forward formula is that of the longitude, 1 / cos(84°) ≈ 10, next

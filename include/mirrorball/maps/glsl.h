@@ -31,10 +31,10 @@ MIRRORBALL_EXPORT std::string mapGlsl(MapKind map, GlslVersion version,
                                       const std::string& prefix = "mirrorball_",
                                       GlslInputs inputs = GlslInputs::any);
 
-// For pass 1: the direction, of any length, at a place in a layer of so many texels, and that length. On cube, octahedral and
-// dual-paraboloid maps it is of whole numbers (on the sphere map its x and y are), so that an edge which runs through a
-// texel's centre is met there to the last bit; other maps' have unit length.
-//     vec3  <prefix>rayOfTexel(int component, vec2 place, vec2 size)
+// For exact rasterisation: a direction of any length at a place in a layer of so many texels. On cube, octahedral and
+// dual-paraboloid maps its coordinates are whole numbers and halves at a texel's centre (on the sphere map its x and y
+// are), without rounding; other maps' rays have unit length.
+//     vec3  <prefix>rayOfTexel(int component, vec2 place, vec2 size)       place within the layer
 //     float <prefix>rayLength(vec3 ray)
 // They call functions of mapGlsl with the same prefix.
 MIRRORBALL_EXPORT std::string mapRaysGlsl(MapKind map, GlslVersion version,

@@ -5,8 +5,8 @@ float mirrorballCapture_inflection(int view, vec3 edge, float at)
     return -9.0;
 }
 
-// What is not straight on the disc is covered in its polar coordinates: azimuth, and the radius 1/2 sin(angle / 2) of an angle
-// to the axis +z, in units of n. The rim, at 1/2, is the one direction -z.
+// What is not straight on the disc is covered in its polar coordinates: azimuth, and the radius 1/2 sin(angle / 2) of an
+// angle to the axis +z, in units of n. The rim, at 1/2, is the one direction -z, which all texels beyond repeat.
 
 // The radius of an angle, by its cotangent.
 float mirrorballCapture_discRadius(float cotangent)
@@ -19,11 +19,12 @@ float mirrorballCapture_discRadius(float cotangent)
 
 vec2 mirrorballCapture_azimuthDirection(float azimuth)
 {
-    return vec2(cos(azimuth), sin(azimuth));
+    return normalize(vec2(cos(azimuth), sin(azimuth))); // to which drivers may be off
 }
 
 // The radii between which a triangle lies where the azimuth does between two, less than half a turn apart; empty where the
-// first is greater. A plane's inside is where m.z cotangent >= -(m.x cos + m.y sin), which asks least where that is greatest.
+// first is greater. A plane's inside is where m.z cotangent >= -(m.x cos + m.y sin), which asks least where that is
+// greatest. The slack is for rounding, and for what the rasteriser may move sideways: no more than 4 radians over n.
 vec2 mirrorballCapture_radiiBetween(vec3 planes[4], float from, float to)
 {
     vec2 first = mirrorballCapture_azimuthDirection(from);
@@ -33,7 +34,7 @@ vec2 mirrorballCapture_radiiBetween(vec3 planes[4], float from, float to)
         vec3 m = planes[k];
         bool between = first.x * m.y - first.y * m.x >= 0.0 && m.x * last.y - m.y * last.x >= 0.0;
         float greatest = between ? length(m.xy) : max(dot(m.xy, first), dot(m.xy, last));
-        greatest += 1e-5 * length(m);
+        greatest += (1e-5 + 4.0 * mirrorballCapture_guard / mirrorballCapture_size.x) * length(m);
         float cotangent = clamp(greatest / max(abs(m.z), 1e-30), -1e6, 1e6);
         float bound = mirrorballCapture_discRadius(m.z < 0.0 ? cotangent : -cotangent);
         radii = m.z < 0.0 ? vec2(max(radii.x, bound), radii.y) : vec2(radii.x, min(radii.y, bound));
@@ -46,7 +47,7 @@ struct mirrorballCapture_Sector
 {
     float first, middle, last; // azimuths of the vertices, in order
     bool around;               // all azimuths: it holds an end of the axis, or may, within rounding
-    bool rim;                  // and that is -z: the disc's rim, and the layer's corners, which repeat it
+    bool rim;                  // and that is -z, be it on an edge: the rim and all beyond are its
 };
 
 mirrorballCapture_Sector mirrorballCapture_sectorOf(vec3 unit[3], vec3 edge[3])
@@ -65,9 +66,8 @@ mirrorballCapture_Sector mirrorballCapture_sectorOf(vec3 unit[3], vec3 edge[3])
     sector.last = max(max(azimuth.x, azimuth.y), azimuth.z) + 4e-3;
     sector.middle = max(min(max(azimuth.x, azimuth.y), azimuth.z), min(azimuth.x, azimuth.y));
     // Without an end of the axis a triangle spans half a turn at most, and nearly that where an edge passes one.
-    sector.around = all(greaterThanEqual(edgeZ, -slack)) || all(lessThanEqual(edgeZ, slack)) ||
-                    sector.last - sector.first > 2.8 || toAxis < 1e-3;
-    sector.rim = sector.around && min(min(unit[0].z, unit[1].z), unit[2].z) < 0.0;
+    sector.rim = all(lessThanEqual(edgeZ, slack));
+    sector.around = sector.rim || all(greaterThanEqual(edgeZ, -slack)) || sector.last - sector.first > 2.8 || toAxis < 1e-3;
     return sector;
 }
 
@@ -98,9 +98,9 @@ void mirrorballCapture_coverSector(vec3 planes[4], mirrorballCapture_Sector sect
         vec2 radii = vec2(1.0, 0.0);
         if (strip < MIRRORBALL_STRIPS)
             radii = mirrorballCapture_radiiBetween(planes, border[strip], border[min(strip + 1, MIRRORBALL_STRIPS)]);
+        if (sector.rim)
+            radii = vec2(min(radii.x, 0.4999), 0.7072);
         bool empty = radii.x > radii.y;
-        if (sector.rim && radii.y > 0.4999)
-            radii.y = 0.7072;
         cover.breaks |= empty ? 2 << strip : 0; // nothing is drawn from these corners on
         radii = empty ? vec2(1.0, 0.0) : radii;
         seen = seen || !empty;
