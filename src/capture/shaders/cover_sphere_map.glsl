@@ -8,36 +8,38 @@ float mirrorballCapture_inflection(int view, vec3 edge, float at)
 // What is not straight on the disc is covered in its polar coordinates: azimuth, and the radius 1/2 sin(angle / 2) of an
 // angle to the axis +z, in units of n. The rim, at 1/2, is the one direction -z, which all texels beyond repeat.
 
-// The radius of an angle, by its cotangent.
-float mirrorballCapture_discRadius(float cotangent)
-{
-    float sineSquared = 1.0 / (1.0 + cotangent * cotangent);
-    float cosine = cotangent * sqrt(sineSquared);
-    float share = cotangent > 0.0 ? sineSquared / (1.0 + cosine) : 1.0 - cosine;
-    return 0.5 * sqrt(0.5 * share);
-}
-
 vec2 mirrorballCapture_azimuthDirection(float azimuth)
 {
     return normalize(vec2(cos(azimuth), sin(azimuth))); // to which drivers may be off
 }
 
 // The radii between which a triangle lies where the azimuth does between two, less than half a turn apart; empty where the
-// first is greater. A plane's inside is where m.z cotangent >= -(m.x cos + m.y sin), which asks least where that is
-// greatest. The slack is for rounding, and for what the rasteriser may move sideways: no more than 4 radians over n.
+// first is greater. A plane's inside is where (m.x cos + m.y sin) sine + m.z cosine >= 0, with sine and cosine of the angle
+// to the axis, which asks least where the first factor is greatest. The slack is for rounding, and for what the rasteriser
+// may move sideways: no more than 4 radians over n.
 vec2 mirrorballCapture_radiiBetween(vec3 planes[4], float from, float to)
 {
     vec2 first = mirrorballCapture_azimuthDirection(from);
     vec2 last = mirrorballCapture_azimuthDirection(to);
     vec2 radii = vec2(0.0, 0.5);
     for (int k = 0; k < 4; ++k) {
-        vec3 m = planes[k];
+        // At a size whose squares are floats. None, of two vertices in one direction, sets no bound.
+        vec3 sizes = abs(planes[k]);
+        vec3 m = planes[k] / max(max(max(sizes.x, sizes.y), sizes.z), 1e-37);
         bool between = first.x * m.y - first.y * m.x >= 0.0 && m.x * last.y - m.y * last.x >= 0.0;
         float greatest = between ? length(m.xy) : max(dot(m.xy, first), dot(m.xy, last));
-        greatest += (1e-5 + 4.0 * mirrorballCapture_guard / mirrorballCapture_size.x) * length(m);
-        float cotangent = clamp(greatest / max(abs(m.z), 1e-30), -1e6, 1e6);
-        float bound = mirrorballCapture_discRadius(m.z < 0.0 ? cotangent : -cotangent);
-        radii = m.z < 0.0 ? vec2(max(radii.x, bound), radii.y) : vec2(radii.x, min(radii.y, bound));
+        float slack = (1e-5 + 4.0 * mirrorballCapture_guard / mirrorballCapture_size.x) * length(m);
+        // Cosine and sine of the farthest angle, from the end of the axis that is inside.
+        float size = max(length(vec2(greatest, m.z)), 1e-18);
+        float c = -min(slack / size, 1.0);
+        float s = sqrt(1.0 - c * c);
+        vec2 farthest = vec2(abs(m.z) * c - greatest * s, greatest * c + abs(m.z) * s) / size;
+        float cosine = m.z < 0.0 ? -farthest.x : farthest.x;
+        float share = cosine > 0.0 ? farthest.y * farthest.y / (1.0 + cosine) : 1.0 - cosine;
+        float bound = 0.5 * sqrt(0.5 * share);
+        // A plane that nearly holds the axis sets no bound.
+        if (abs(m.z) > slack && farthest.y > 0.0)
+            radii = m.z < 0.0 ? vec2(max(radii.x, bound), radii.y) : vec2(radii.x, min(radii.y, bound));
     }
     return radii;
 }
@@ -58,7 +60,7 @@ mirrorballCapture_Sector mirrorballCapture_sectorOf(vec3 unit[3], vec3 edge[3])
         azimuth[k] -= 6.2831853 * floor((azimuth[k] - azimuth[0]) / 6.2831853 + 0.5);
     }
     vec3 edgeZ = vec3(edge[0].z, edge[1].z, edge[2].z);
-    vec3 slack = 1e-6 * vec3(length(edge[0]), length(edge[1]), length(edge[2]));
+    vec3 slack = 1e-5 * vec3(length(edge[0]), length(edge[1]), length(edge[2]));
     float toAxis = min(min(length(unit[0].xy), length(unit[1].xy)), length(unit[2].xy));
     mirrorballCapture_Sector sector;
     // atan may be off by some 1e-3.
@@ -75,8 +77,9 @@ mirrorballCapture_Sector mirrorballCapture_sectorOf(vec3 unit[3], vec3 edge[3])
 // A piece of a ring for each part of the azimuths, between the radii that the triangle has there.
 void mirrorballCapture_coverSector(vec3 planes[4], mirrorballCapture_Sector sector, inout mirrorballCapture_Cover cover)
 {
-    float first = sector.around ? -3.1415927 : sector.first;
-    float last = sector.around ? 3.1415927 : sector.last;
+    // All around, the ends overlap by what sines and cosines may be off.
+    float first = sector.around ? -3.1456 : sector.first;
+    float last = sector.around ? 3.1456 : sector.last;
     float middle = sector.around ? 0.0 : sector.middle;
     int before = clamp(int(float(MIRRORBALL_STRIPS) * (middle - first) / (last - first) + 0.5), 1, MIRRORBALL_STRIPS - 1);
     float border[MIRRORBALL_STRIPS + 1];
@@ -90,7 +93,7 @@ void mirrorballCapture_coverSector(vec3 planes[4], mirrorballCapture_Sector sect
         return;
     }
     // A chord at a radius passes nearer to the centre by this factor.
-    float reach = mirrorballCapture_size.x / cos(0.5 * widest);
+    float reach = mirrorballCapture_size.x / cos(0.5 * widest + 1e-3);
     bool seen = false;
     cover.breaks = 0;
     vec2 previous = vec2(1.0, 0.0);
@@ -106,7 +109,7 @@ void mirrorballCapture_coverSector(vec3 planes[4], mirrorballCapture_Sector sect
         seen = seen || !empty;
         vec2 both = vec2(min(previous.x, radii.x), max(previous.y, radii.y));
         vec2 outwards = mirrorballCapture_azimuthDirection(border[strip]);
-        float aside = sector.around ? 0.0 : strip == 0 ? -1.0 : strip == MIRRORBALL_STRIPS ? 1.0 : 0.0;
+        float aside = strip == 0 ? -1.0 : strip == MIRRORBALL_STRIPS ? 1.0 : 0.0;
         vec2 at = 0.5 * mirrorballCapture_size + aside * mirrorballCapture_guard * vec2(-outwards.y, outwards.x);
         cover.corner[2 * strip] = at + max(both.x * mirrorballCapture_size.x - mirrorballCapture_guard, 0.0) * outwards;
         cover.corner[2 * strip + 1] = at + (both.y * reach + 2.0 * mirrorballCapture_guard) * outwards;
