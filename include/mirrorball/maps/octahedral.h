@@ -51,7 +51,7 @@ struct Octahedral
     }
 
     template <class Real>
-    static Vec3<Real> directionFromSquare(const Index<Real>&, const Vec2<Real>& uv)
+    static Vec3<Real> directionFromSquare(const Index<Real>& component, const Vec2<Real>& uv)
     {
         // Past a side: mirrored in it, and in the side's middle.
         const Real a0 = named(signedFromUnit(uv.x), "a0");
@@ -63,12 +63,11 @@ struct Octahedral
         const Real a = named(select(pastB, -a1, a1), "a");
         const Real b = named(select(pastA, -b1, b1), "b");
 
-        const Real z = named(Real(1) - abs(a) - abs(b), "z");
-        const auto below = named(z < Real(0), "below");
-        const Real x = named(select(below, (Real(1) - abs(b)) * signNotZero(a), a), "x");
-        const Real y = named(select(below, (Real(1) - abs(a)) * signNotZero(b), b), "y");
-        const Real size = named(length(Vec3<Real>{x, y, z}), "size");
-        return {x / size, y / size, z / size};
+        const Vec3<Real> ray = rayFromCentre(component, Vec2<Real>{a, b}, Real(1));
+        const Real x = named(ray.x, "x");
+        const Real y = named(ray.y, "y");
+        const Real size = named(length(Vec3<Real>{x, y, ray.z}), "size");
+        return {x / size, y / size, ray.z / size};
     }
 };
 
