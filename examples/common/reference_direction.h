@@ -8,9 +8,9 @@
 
 namespace examples {
 
-// A direction through the centre of a texel of a layer, of the length at which it has the fewest digits: on a cube's face of
-// n texels (a, b, n) in whole numbers, so that a surface's edge that runs through a texel's centre can be met to the last
-// bit. Throws as referenceDirection does.
+// A direction through the centre of a texel of a layer, of the length at which it has the fewest digits: on a cube's
+// face of n texels (a, b, n) in whole numbers, so that a surface's edge that runs through a texel's centre can be met
+// to the last bit. Throws as referenceDirection does.
 glm::dvec3 referenceRay(std::string_view mapName, int component, int column, int row, int width, int height);
 
 // The unit direction at (u, v) of a component of the map ("tennis-ball", …). Outside the disc of the sphere

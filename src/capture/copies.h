@@ -39,7 +39,8 @@ public:
     void gatherNearest(const gl::Texture& from, const gl::Texture& to, const MapSize& size);
 
     // Fills a level of a distance texture whose level 0 has this size; the levels between are not filled. All texels of
-    // `from` are asked, which holds the nearest of each few, or of the texture itself one every 1.4 degrees or so each way.
+    // `from` are asked, which holds the nearest of each few, or of the texture itself one every 1.4 degrees or so each
+    // way.
     void gatherNearestLevel(const gl::Texture& from, const gl::Texture& distance, const MapSize& size,
                             int level);
 

@@ -18,13 +18,13 @@ int eventsOf(MapKind map)
     switch (map) {
     case MapKind::tennisBall:
     case MapKind::tennisBallEven:
+    case MapKind::cube:
+    case MapKind::equiAngularCube:
+    case MapKind::octahedral:
     case MapKind::equirectangular:
         return 9;
     case MapKind::dualParaboloid:
         return 12;
-    case MapKind::cube:
-    case MapKind::equiAngularCube:
-    case MapKind::octahedral:
     case MapKind::sphereMap: // whose strips of azimuth need none
         break;
     }
@@ -64,22 +64,21 @@ std::string snapDefine()
 
 } // namespace
 
-// Sag of an arc on the map over its chord, in texels: a constant times chord² (of unit directions). The
-// constants are the suprema over arcs with both ends within 60 degrees of the equator and chords up to 1/2
-// (for the sphere map within 120 degrees of its centre and up to 1/5), 0.183, 0.183, 0.0914 and 0.0813 in
-// units of n, rounded up by a tenth; tests/capture/error_law_test.cpp holds them. Where coordinates are those of
-// latitude and longitude it is also at most tan(latitude) · along · (slanted · across + level · along) / n, with the
-// steps of its ends in texels; rounded up by a twentieth. STRETCH is the most
+// Sag of an arc on the map over its chord, in texels: a constant times chord² (of unit directions). The constants are
+// the suprema over arcs with both ends within 60 degrees of the equator and chords up to 1/2, 0.183, 0.183 and 0.0914
+// in units of n, rounded up by a tenth; tests/capture/error_law_test.cpp holds them, and those that stand in the
+// shaders. Where coordinates are those of latitude and longitude it is also at most tan(latitude) · along · (slanted ·
+// across + level · along) / n, with the steps of its ends in texels; rounded up by a twentieth. STRETCH is the most
 // texels that a radian has where triangles count as straight: within 60 degrees of the equator 1.27 and 0.637 n, on the
-// dual paraboloid where z > -0.6 1.25 n.
+// dual paraboloid where z > -0.6 1.25 n, on the sphere map 0.354 n over the root of 1 + z.
 std::string coverDefines(MapKind map)
 {
     const bool even = map == MapKind::tennisBallEven;
     const bool tennisBall = map == MapKind::tennisBall || even;
-    const std::string sag = tennisBall                        ? "(0.2 * mirrorballCapture_size.x)"
-                            : map == MapKind::equirectangular ? "(0.1 * mirrorballCapture_size.y)"
-                                                              : "(0.09 * mirrorballCapture_size.x)";
+    const std::string sag =
+        tennisBall ? "(0.2 * mirrorballCapture_size.x)" : "(0.1 * mirrorballCapture_size.y)";
     const std::string stretch = map == MapKind::equirectangular ? "(0.65 * mirrorballCapture_size.y)"
+                                : map == MapKind::sphereMap     ? "(0.36 * mirrorballCapture_size.x)"
                                                                 : "(1.3 * mirrorballCapture_size.x)";
     return define("ALONG", std::string(map == MapKind::equirectangular ? "x" : "y")) +
            define("ACROSS", std::string(map == MapKind::equirectangular ? "y" : "x")) +
@@ -92,7 +91,8 @@ std::string coverDefines(MapKind map)
                                                                                  : "2.0")) +
            // Around a circle of longitude a triangle may leave a layer and come back.
            define("WRAPS", std::string(tennisBall || map == MapKind::equirectangular ? "true" : "false")) +
-           define("BANDS", tennisBall || map == MapKind::equirectangular || map == MapKind::dualParaboloid) +
+           define("BANDS", tennisBall || map == MapKind::equirectangular || map == MapKind::dualParaboloid ||
+                               map == MapKind::sphereMap) +
            // On the dual paraboloid the others tell on which side of its circle an edge has the triangle.
            define("NARROWINGS", std::string(map == MapKind::dualParaboloid ? "2" : "1")) +
            define("EVENTS", std::to_string(eventsOf(map))) + define("SAG", sag) + define("STRETCH", stretch) +

@@ -71,8 +71,8 @@ bool Frame::touches(int view, const Sphere& bounds) const
     if (distance + radius < static_cast<double>(near_) || distance - radius > static_cast<double>(far_))
         return false;
     // Linear filtering at a seam reads texels beside it. Two, from corner to corner, are 4.5 / n radians wide at the
-    // tennis-ball maps' seams and 5.7 / n at the dual paraboloid's. Of the second layer, whose texels are twice as wide,
-    // the nearest texel is read.
+    // tennis-ball maps' seams and 5.7 / n at the dual paraboloid's. Of the second layer, whose texels are twice as
+    // wide, the nearest texel is read.
     return viewTouches(map_, view, centre, radius) &&
            (pastSeams_ || ownedTouches(map_, view, centre, radius, 6.0 / n_));
 }

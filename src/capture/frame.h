@@ -9,8 +9,9 @@
 
 namespace mirrorball::capture {
 
-// Whether texels past a component's seams show what is seen there: where the host asks for it, where mip levels are made of
-// them, and where `layered` asks how a surface goes on. Mapped by the book they are wrong there, and are not used.
+// Whether texels past a component's seams show what is seen there: where the host asks for it, where mip levels are
+// made of them, and where `layered` asks how a surface goes on. Mapped by the book they are wrong there, and are not
+// used.
 bool capturesPastSeams(const ReflectionProbe::Desc& desc);
 
 class Frame

@@ -1,6 +1,6 @@
-// Where exact capture puts the host's varyings between geometry and fragment stage: scalar after scalar into registers of
-// four, so that they take as much room as is counted for them. Left to themselves drivers may give a vec3 or an array's
-// element a whole register.
+// Where exact capture puts the host's varyings between geometry and fragment stage: scalar after scalar into registers
+// of four, so that they take as much room as is counted for them. Left to themselves drivers may give a vec3 or an
+// array's element a whole register.
 #pragma once
 
 #include <optional>

@@ -78,7 +78,8 @@ struct ReflectionProbe::Implementation
     };
     using Plan = std::vector<PlannedView>; // of one layer of depth
 
-    // What use() has set in a view. Nothing (empty) is taken as set after a clear, or when the host may have changed it.
+    // What use() has set in a view. Nothing (empty) is taken as set after a clear, or when the host may have changed
+    // it.
     struct Applied
     {
         int view;

@@ -32,8 +32,8 @@ std::string atCorner(const Varying& varying, const std::string& corner)
                                        "]." + varying.vertexName;
 }
 
-// A statement for each element of an array, handed the element's number and what selects it; one for anything else. With
-// constant indices and never of a whole array at once: the simplest for every driver.
+// A statement for each element of an array, handed the element's number and what selects it; one for anything else.
+// With constant indices and never of a whole array at once: the simplest for every driver.
 template <class Statement>
 std::string forElements(const Varying& varying, Statement statement)
 {

@@ -9,7 +9,8 @@
 
 namespace mirrorball::capture {
 
-// What the library's own varyings take beside the host's, in scalars, gl_Position, gl_Layer and gl_PrimitiveID included.
+// What the library's own varyings take beside the host's, in scalars, gl_Position, gl_Layer and gl_PrimitiveID
+// included.
 int ownScalars(Carriage carriage);
 
 // Scalars that the geometry stage writes a vertex (that the vertex stage writes, for direct carriage).
@@ -20,8 +21,8 @@ int scalarsOf(std::span<const Varying> varyings, Carriage carriage);
 void requireRoom(const std::vector<Varying>& varyings, Carriage carriage, int vertices,
                  const std::string& programName);
 
-// Drivers may waste room: NVIDIA's lays a vec3 where a vec4 would go. Throws Error badShader with the host's name for the
-// varying that a linker says it has no resource for, of packed ones for the last.
+// Drivers may waste room: NVIDIA's lays a vec3 where a vec4 would go. Throws Error badShader with the host's name for
+// the varying that a linker says it has no resource for, of packed ones for the last.
 void requireNoneWithoutResource(const std::vector<Varying>& varyings, Carriage carriage,
                                 const std::string& linkError, const std::string& programName);
 

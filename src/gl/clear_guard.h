@@ -1,5 +1,5 @@
-// What would keep a clear from reaching all of a framebuffer with two colours is off while this lives: for clears amid the
-// host's own draws, between which its state must stay.
+// What would keep a clear from reaching all of a framebuffer with two colours is off while this lives: for clears amid
+// the host's own draws, between which its state must stay.
 #pragma once
 
 #include "gl/context.h"

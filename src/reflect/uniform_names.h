@@ -8,8 +8,8 @@
 
 namespace mirrorball::reflect {
 
-// The turn into a map's axes, after the prefix. Every look-up uses it, and it names the map, so that a binding sees which
-// one the snippet is of.
+// The turn into a map's axes, after the prefix. Every look-up uses it, and it names the map, so that a binding sees
+// which one the snippet is of.
 inline std::string mapFromWorld(MapKind map)
 {
     std::string name(mapInfo(map).name);

@@ -22,7 +22,8 @@ struct TrueTexel
     std::uint32_t triangle;
 };
 
-// Of a probe turned like this. At most 2^19 texels, evenly spread over the map, of those whose centre's direction belongs to its texel.
+// Of a probe turned like this. At most 2^19 texels, evenly spread over the map, of those whose centre's direction
+// belongs to its texel.
 std::vector<TrueTexel> traceMap(const examples::ReferenceTracer& tracer, const SceneChoice& scene,
                                 mirrorball::MapKind map, int n,
                                 const glm::dmat3& worldFromProbe = glm::dmat3(1.0));

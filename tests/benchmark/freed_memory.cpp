@@ -11,7 +11,8 @@ namespace tests::benchmark {
 void keepFreedMemory()
 {
 #ifdef __GLIBC__
-    // The largest that glibc takes. What is larger is mapped and unmapped one by one: textures, not a frame's triangles.
+    // The largest that glibc takes. What is larger is mapped and unmapped one by one: textures, not a frame's
+    // triangles.
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
     // Never trim the heap's end; grow it by steps that many frames' triangles fit into.
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());

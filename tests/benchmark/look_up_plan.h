@@ -12,7 +12,8 @@ struct LookUpGroup
 {
     const MirrorScene* scene;
     int cubeN; // maps have as many texels as a cube of this size
-    // The first is the cube by hand, looked up as infinitely far, at n = 256 in every group: what all costs are told in.
+    // The first is the cube by hand, looked up as infinitely far, at n = 256 in every group: what all costs are told
+    // in.
     std::vector<MirrorEntry> entries;
 };
 

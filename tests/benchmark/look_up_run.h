@@ -15,8 +15,8 @@ struct LookUpRow
     const MirrorScene* scene;
     int cubeN;
     MirrorEntry entry;
-    // Milliseconds a frame. Costs (costName()) of the map, of the reflector's pixels alone, of both; wall time of the whole
-    // frame, which is the map, the scene and the reflector.
+    // Milliseconds a frame. Costs (costName()) of the map, of the reflector's pixels alone, of both; wall time of the
+    // whole frame, which is the map, the scene and the reflector.
     Quartiles capture, mirror, both, frameWall;
     std::size_t frames = 0; // measured
     double ratio = 0;       // both, over that of the group's first

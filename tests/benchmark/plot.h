@@ -9,8 +9,8 @@
 
 namespace tests::benchmark {
 
-// The plots of the last scene in the rows, <scene>_<what>.svg and .png: at the cube's n of its first group and with back
-// faces drawn, cost of pass 1 against wrong texels, and against the worst texel's angle.
+// The plots of the last scene in the rows, <scene>_<what>.svg and .png: at the cube's n of its first group and with
+// back faces drawn, cost of pass 1 against wrong texels, and against the worst texel's angle.
 void writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows);
 
 // Of the last scene with a mirror: cost of both passes against the errors of the picture.

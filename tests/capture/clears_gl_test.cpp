@@ -47,8 +47,8 @@ std::vector<Obstacle> obstacles()
             {"depth mask", [] { glDepthMask(GL_FALSE); }, [] { glDepthMask(GL_TRUE); }, depthMask}};
 }
 
-// The second capture into a texture draws nothing in its second half of views, where the first has left walls: they must
-// be gone.
+// The second capture into a texture draws nothing in its second half of views, where the first has left walls: they
+// must be gone.
 void check(const Obstacle& obstacle, MapKind map, int layersOfDepth)
 {
     const tests::SixWalls walls(glm::vec3(0.0f), 4);

@@ -33,8 +33,8 @@ double fragmentsOf(const examples::GlScene& drawable, CaptureProgram& program,
     return static_cast<double>(runs);
 }
 
-// Times what the cube's faces run without covers, at as many texels. On llvmpipe the most is 2.3; 4.7 with pieces of rings
-// on the sphere map's disc, and 3.5 with the octahedral map's eight views, which fit less closely.
+// Times what the cube's faces run without covers, at as many texels. On llvmpipe the most is 2.3; 4.7 with pieces of
+// rings on the sphere map's disc, and 3.5 with the octahedral map's eight views, which fit less closely.
 double mostOf(MapKind map)
 {
     return map == MapKind::sphereMap ? 5.0 : map == MapKind::octahedral ? 4.0 : 2.5;

@@ -93,8 +93,9 @@ int main()
                 std::printf("%s, near %g: %g\n", std::string(mapInfo(map).name).c_str(),
                             static_cast<double>(near), worst[0]);
                 const bool isAutomatic = method == CaptureMethod::automatic;
-                // Rasterisers move vertices to a grid of 1/256 texel or finer, and GPUs with them what they interpolate:
-                // seen at 60 degrees, a distance that is so much off. llvmpipe and softpipe interpolate unmoved.
+                // Rasterisers move vertices to a grid of 1/256 texel or finer, and GPUs with them what they
+                // interpolate: seen at 60 degrees, a distance that is so much off. llvmpipe and softpipe interpolate
+                // unmoved.
                 const double snapping = isSoftwareRasteriser() ? 3e-6 : 4e-4;
                 const double bound = !isAutomatic ? 3e-6 : map == MapKind::tennisBall ? 0.02 : snapping;
                 for (const double each : worst) {

@@ -1,6 +1,6 @@
-// What draws of a view have in common is set once. It holds for the next draw where the callback ends with no program, and
-// captures with another probe and the same program meanwhile; where meshes differ in culling; and is the same that a host
-// gets that has everything set for each draw.
+// What draws of a view have in common is set once. It holds for the next draw where the callback ends with no program,
+// and captures with another probe and the same program meanwhile; where meshes differ in culling; and is the same that
+// a host gets that has everything set for each draw.
 #include "support/check.h"
 #include "support/gl_image.h"
 #include "support/gl_state.h"

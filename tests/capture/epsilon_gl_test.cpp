@@ -1,6 +1,7 @@
 // automatic stays within its epsilon: what a texel shows lies at most epsilon texels from the texel's own
 // direction, and its distance is right to epsilon texel angles, relative. What is drawn exactly is judged by exact_gl;
-// along needles the varyings that say the place are rounded to more than the smallest epsilon there, with exact as well.
+// along needles the varyings that say the place are rounded to more than the smallest epsilon there, with exact as
+// well.
 #include "support/check.h"
 
 #include "gl_scene.h"

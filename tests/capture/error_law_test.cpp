@@ -130,8 +130,8 @@ double greatestSag(MapKind map, int component, const std::vector<glm::dvec3>& st
     return greatest;
 }
 
-// The greatest share of tan(latitude) · along · (slanted · across + level · along) that a sag has, as cover_latitude.glsl
-// takes it; steps in units of n, `across` of latitude.
+// The greatest share of tan(latitude) · along · (slanted · across + level · along) that a sag has, as
+// cover_latitude.glsl takes it; steps in units of n, `across` of latitude.
 double greatestShareOfSteps(MapKind map, double slanted, double level)
 {
     const bool turned = map == MapKind::equirectangular; // longitude along x, 0 at -z
@@ -159,6 +159,48 @@ double greatestShareOfSteps(MapKind map, double slanted, double level)
                 CHECK(sag <= bound + 1e-9);
                 if (bound > 1e-7)
                     greatest = std::max(greatest, sag / bound);
+            }
+    }
+    return greatest;
+}
+
+// The sphere map's law, as cover_sphere_map.glsl takes it, in units of n and chord²: with room, the least 1 + z along
+// the arc, a sag is at most `plain` / room, and at most `leaning` · lean / room^1.5 where lean is the z of the normal.
+struct DiscLaw
+{
+    double plain, leaning;
+};
+
+DiscLaw greatestOnDisc()
+{
+    constexpr double leastRoom = 0.03, longest = 0.5;
+    DiscLaw greatest{};
+    for (int half = 0; half <= 332; ++half) {
+        const double angle = 0.5 * half * degree;
+        const glm::dvec3 a(std::sin(angle), 0.0, std::cos(angle));
+        for (const double part : {0.02, 0.1, 0.5, 1.0})
+            for (int index = 0; index < 360; ++index) {
+                const double chord = part * longest;
+                const glm::dvec3 b = ahead(a, 2.0 * std::asin(0.5 * chord), index * degree);
+                double room = 1.0 + std::min(a.z, b.z);
+                const double roomByEnds = room - 0.51 * chord;
+                const glm::dvec2 from = placeOf(MapKind::sphereMap, 0, a);
+                const glm::dvec2 way = placeOf(MapKind::sphereMap, 0, b) - from;
+                double sag = 0.0;
+                for (int step = 1; step < steps; ++step) {
+                    const glm::dvec3 between = slerp(a, b, static_cast<double>(step) / steps);
+                    const glm::dvec2 p = placeOf(MapKind::sphereMap, 0, between) - from;
+                    sag = std::max(sag, std::abs(way.x * p.y - way.y * p.x) / glm::length(way));
+                    room = std::min(room, 1.0 + between.z);
+                }
+                CHECK(roomByEnds <= room);
+                const double lean = std::abs(glm::normalize(glm::cross(a, b)).z);
+                if (room < leastRoom)
+                    continue;
+                const double bend = sag / (chord * chord);
+                greatest.plain = std::max(greatest.plain, bend * room);
+                if (lean > 1e-3) // others are straight to the last digits
+                    greatest.leaning = std::max(greatest.leaning, bend * room * std::sqrt(room) / lean);
             }
     }
     return greatest;
@@ -276,11 +318,18 @@ int main()
     std::vector<glm::dvec3> around;
     for (int tenth = 0; tenth <= 1200; tenth += 5)
         around.push_back({std::sin(0.1 * tenth * degree), 0.0, std::cos(0.1 * tenth * degree)});
-    checkSag(
-        "sphere-map",
-        greatestSag(
-            MapKind::sphereMap, 0, around, 0.2, [](const glm::dvec3& d) { return d.z >= -0.5; }, spaceChord),
-        0.09);
+    const DiscLaw onDisc = greatestOnDisc();
+    checkSag("sphere-map", onDisc.plain, 0.05);
+    checkSag("sphere-map, leaning", onDisc.leaning, 0.073);
+    // In units of n over the root of 1 + z.
+    double stretch = 0.0;
+    for (int half = 0; half <= 332; ++half) {
+        const glm::dvec3 d(std::sin(0.5 * half * degree), 0.0, std::cos(0.5 * half * degree));
+        const auto always = [](const glm::dvec3&) { return true; };
+        stretch =
+            std::max(stretch, greatestStretch(MapKind::sphereMap, 0, {d}, always) * std::sqrt(1.0 + d.z));
+    }
+    checkStretch("sphere-map", stretch, 0.36);
 
     // cover_stereographic.glsl: chords on the map, of (a, b) in [-1, 1], hence n / 2.
     const auto onMap = [](const glm::dvec3& a, const glm::dvec3& b) {

@@ -118,8 +118,9 @@ examples::Scene difficultTriangles(unsigned int seed, int count)
     return sceneOf(triangles);
 }
 
-// Each alone, since what one cover lacks another surface may show: an edge that runs through an axis exactly, a vertex on
-// it, and needles whose places on the sphere map the rasteriser's steps move off their covers unless these allow for it.
+// Each alone, since what one cover lacks another surface may show: an edge that runs through an axis exactly, a vertex
+// on it, and needles whose places on the sphere map the rasteriser's steps move off their covers unless these allow for
+// it.
 std::vector<std::array<glm::vec3, 3>> lonelyTriangles()
 {
     std::vector<std::array<glm::vec3, 3>> triangles = {

@@ -38,8 +38,8 @@ examples::Mesh boxAt(const std::string& name, const glm::vec3& centre, const glm
     return mesh;
 }
 
-// From the origin: 8 boxes below, a wall in +z and far behind it 12 x 12 boxes, which come first in the host's order; the
-// outermost columns are seen past the wall's edges.
+// From the origin: 8 boxes below, a wall in +z and far behind it 12 x 12 boxes, which come first in the host's order;
+// the outermost columns are seen past the wall's edges.
 examples::Scene wallAndBoxes()
 {
     examples::Scene scene;

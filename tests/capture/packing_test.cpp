@@ -1,5 +1,5 @@
-// Where exact capture puts varyings: every scalar has a place of its own, is read where it was written, and no more room
-// is taken than is counted.
+// Where exact capture puts varyings: every scalar has a place of its own, is read where it was written, and no more
+// room is taken than is counted.
 #include "capture/packing.h"
 #include "capture/varyings.h"
 

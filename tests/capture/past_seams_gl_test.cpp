@@ -1,5 +1,5 @@
-// What only texels past a seam would show is not drawn, and no look-up can tell: all texels that a component owns, and those
-// that linear filtering at a seam reads, are the same bit for bit.
+// What only texels past a seam would show is not drawn, and no look-up can tell: all texels that a component owns, and
+// those that linear filtering at a seam reads, are the same bit for bit.
 #include "support/check.h"
 #include "support/gl_image.h"
 
@@ -40,8 +40,8 @@ Captured captured(const examples::Scene& scene, ReflectionProbe::Desc desc, bool
     return result;
 }
 
-// Whether linear filtering reads a texel for any direction of its own component: where that owns a place less than a texel
-// away. Places of a fine grid stand for all.
+// Whether linear filtering reads a texel for any direction of its own component: where that owns a place less than a
+// texel away. Places of a fine grid stand for all.
 bool isRead(MapKind map, int layer, int column, int row, int width, int height)
 {
     constexpr int steps = 8;

@@ -1,4 +1,5 @@
-// What a probe and a capture program refuse, before anything is drawn, and what a mesh's numbers that are none count as.
+// What a probe and a capture program refuse, before anything is drawn, and what a mesh's numbers that are none count
+// as.
 #include "support/check.h"
 #include "support/gl_state.h"
 #include "support/six_walls.h"

@@ -1,6 +1,6 @@
 // A host's word that no triangle spans more than a few degrees, where bounds cannot tell, chooses another program and
-// changes no bit of the map: not where it is true, of walls around the probe in small triangles, and not where it is false,
-// of walls of twelve.
+// changes no bit of the map: not where it is true, of walls around the probe in small triangles, and not where it is
+// false, of walls of twelve.
 #include "support/check.h"
 #include "support/gl_image.h"
 #include "support/wall_patches.h"

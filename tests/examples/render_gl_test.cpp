@@ -319,7 +319,8 @@ void testSupersample(const Scratch& scratch)
     CHECK(pair.drawn.width == 80 && pair.drawn.height == 60);
     // Some pixels hold an object too small for a sample in each pixel around.
     CHECK(perMilleWrong(pair, 0.03, 0.03, "3 by 3 samples") < 20.0);
-    // The middle one of 3 × 3 is the pixel's centre, but for the snapping of rasterisers that interpolate what they snap.
+    // The middle one of 3 × 3 is the pixel's centre, but for the snapping of rasterisers that interpolate what they
+    // snap.
     for (std::size_t index = 0; index < pair.drawn.distance.size(); ++index)
         CHECK_NEAR(pair.drawn.distance[index], pair.traced.distance[index],
                    5e-4 * pair.traced.distance[index]);

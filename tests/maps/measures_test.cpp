@@ -19,8 +19,8 @@ glm::dvec3 difference(MapKind map, int component, const glm::dvec2& uv, const gl
            mirrorball::directionFromSquare(map, component, uv - step);
 }
 
-// (u, v) change by what the direction was changed for, whatever its length, and not with the length. Where the direction
-// belongs to another place, as past the sphere map's rim, there is no inverse.
+// (u, v) change by what the direction was changed for, whatever its length, and not with the length. Where the
+// direction belongs to another place, as past the sphere map's rim, there is no inverse.
 void checkInverse(MapKind map, int component, const mirrorball::Jacobian& j)
 {
     constexpr double bound = 1e-9; // some roundings, times the longest derivative there and back

@@ -11,8 +11,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// A third of a second at 60 frames a second. A single step says little of the picture drawn: the traced one, of one ray a
-// pixel, changes by leaps where edges pass the pixels' middles.
+// A third of a second at 60 frames a second. A single step says little of the picture drawn: the traced one, of one ray
+// a pixel, changes by leaps where edges pass the pixels' middles.
 constexpr std::size_t window = 20;
 
 void checkPath(const Words& scene, int steps)

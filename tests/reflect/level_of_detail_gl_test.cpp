@@ -1,5 +1,6 @@
-// The mip level that a pixel is filtered from is that of its footprint, by the map's Jacobian in double, within 1/32: next
-// to borders, cuts and poles as elsewhere, whichever pixels share derivatives, and for rays that start off the centre.
+// The mip level that a pixel is filtered from is that of its footprint, by the map's Jacobian in double, within 1/32:
+// next to borders, cuts and poles as elsewhere, whichever pixels share derivatives, and for rays that start off the
+// centre.
 #include "support/check.h"
 #include "support/sampling.h"
 

@@ -1,5 +1,6 @@
-// The march of `distance` and `layered` finds the same whether it begins at the mirror or where the map's nearest distances
-// let it, for rays that come nearer to the centre first exactly so; and every function of the snippet shows what it found.
+// The march of `distance` and `layered` finds the same whether it begins at the mirror or where the map's nearest
+// distances let it, for rays that come nearer to the centre first exactly so; and every function of the snippet shows
+// what it found.
 #include "support/check.h"
 #include "support/sampling.h"
 

@@ -1,4 +1,5 @@
-// A checkerboard, mirrored by a ball of few pixels: with mip levels the picture is nearer to one of many samples a pixel.
+// A checkerboard, mirrored by a ball of few pixels: with mip levels the picture is nearer to one of many samples a
+// pixel.
 #include "support/check.h"
 #include "support/sampling.h"
 
@@ -17,8 +18,8 @@ namespace {
 constexpr int side = 48;    // pixels across the ball's picture
 constexpr int samples = 16; // of the reference, squared
 constexpr int n = 256;
-// Decibels. The checkerboard has a variance of 0.16, which is -8 dB: at half of the pixels or more it is gone, and there
-// mip levels show the mean, which is right, and a single sample errs by all of it.
+// Decibels. The checkerboard has a variance of 0.16, which is -8 dB: at half of the pixels or more it is gone, and
+// there mip levels show the mean, which is right, and a single sample errs by all of it.
 constexpr double leastGain = 6.0;
 
 // Squares of 5° at the equator.

@@ -46,8 +46,8 @@ void checkNeverWorse(const Judged& errors)
 
 const Words ballInRoom = {"builtin:room", "--reflector", "sphere:0.5", "--pixels", "320x180"};
 
-// A ball, 1 across, in a room of 16 × 8 × 16. What is left is mostly the edges of things, a texel wide in the map, so maps
-// have as many texels.
+// A ball, 1 across, in a room of 16 × 8 × 16. What is left is mostly the edges of things, a texel wide in the map, so
+// maps have as many texels.
 void testRoom()
 {
     for (const MapKind map :
@@ -76,9 +76,9 @@ void checkReaches(const ParallaxErrors& errors, const ParallaxErrors& infinite, 
     CHECK(errors.psnr >= infinite.psnr + aim.gain);
 }
 
-// The rooms of the house, where much hides behind much. The aims are 0.10°, 2 % and 8 dB with one layer, 0.05°, 0.5 % and
-// 12 dB with two: what is beside them has been reached instead, with a tenth or so of room, and docs/reflection.md says what
-// the maps allow.
+// The rooms of the house, where much hides behind much. The aims are 0.10°, 2 % and 8 dB with one layer, 0.05°, 0.5 %
+// and 12 dB with two: what is beside them has been reached instead, with a tenth or so of room, and docs/reflection.md
+// says what the maps allow.
 void testHouse()
 {
     constexpr Aim distance{0.10, 2.0, 8.0}, layered{0.05, 0.5, 12.0};

@@ -1,11 +1,11 @@
-// What any look-up could reach with a captured map, beside what the library's reach. With the words of a command line of
-// render:
+// What any look-up could reach with a captured map, beside what the library's reach. With the words of a command line
+// of render:
 //
 //     parallax_limits builtin:room --reflector sphere:0.5 --pixels 1280x720
 //
-// `search` follows every ray in 2,000 steps through the texels of the first layer of depth, or of both. `told` knows the
-// traced point: it shows that if the texel in its direction or one beside it holds it, and else what the search finds. So
-// what `told` gets wrong is not in the map; what it colours wrong is left to the size of the texels.
+// `search` follows every ray in 2,000 steps through the texels of the first layer of depth, or of both. `told` knows
+// the traced point: it shows that if the texel in its direction or one beside it holds it, and else what the search
+// finds. So what `told` gets wrong is not in the map; what it colours wrong is left to the size of the texels.
 #include "support/parallax.h"
 
 #include "reference.h"

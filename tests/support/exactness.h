@@ -39,8 +39,8 @@ void compare(Exactness& result, const examples::Scene& scene, const glm::dvec3& 
 
 void add(Exactness& total, const Exactness& part);
 
-// Captures the scene with triangle numbers and traces every texel. `desc` says map, n, method, near and far, and how the
-// probe is turned; it is placed at `at` (in the world, offset included).
+// Captures the scene with triangle numbers and traces every texel. `desc` says map, n, method, near and far, and how
+// the probe is turned; it is placed at `at` (in the world, offset included).
 Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
                       mirrorball::ReflectionProbe::Desc desc);
 

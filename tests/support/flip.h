@@ -1,6 +1,6 @@
 // FLIP, how different two pictures look when one replaces the other on the same screen (Andersson, Nilsson,
-// Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM Comput.
-// Graph. Interact. Tech. 3(2), 2020): from 0, the same, to 1.
+// Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM
+// Comput. Graph. Interact. Tech. 3(2), 2020): from 0, the same, to 1.
 #pragma once
 
 #include <glm/vec2.hpp>

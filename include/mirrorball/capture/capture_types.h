@@ -64,26 +64,28 @@ struct CaptureMesh
     std::optional<Sphere> bounds = std::nullopt;
     float longestEdge = std::numeric_limits<float>::infinity(); // in world space
     // No part of it is nearer to the probe than this, in world units: more than bounds around the probe can tell, as of
-    // a room's walls. Spares the second layer of depth what nothing can hide, and cube and octahedral maps, where bounds
-    // end before far, a test against the probe's near, which keeps a rasteriser from testing depth early. Where the
-    // promise is not kept, parts nearer than near are drawn, and the second layer lacks surfaces. 0 and less promise nothing.
+    // a room's walls. Spares the second layer of depth what nothing can hide, and cube and octahedral maps, where
+    // bounds end before far, a test against the probe's near, which keeps a rasteriser from testing depth early. Where
+    // the promise is not kept, parts nearer than near are drawn, and the second layer lacks surfaces. 0 and less
+    // promise nothing.
     std::optional<float> nearestDistance = std::nullopt;
-    // No edge of a triangle spans a wider angle than this, in radians, as seen from the probe: more than bounds that hold
-    // the probe can tell. Below 0.26 (14.9 degrees) it spares exact capture what only wider triangles need; else it has no
-    // effect. Where the promise is not kept, the map is right and takes longer.
+    // No edge of a triangle spans a wider angle than this, in radians, as seen from the probe: more than bounds that
+    // hold the probe can tell. Below 0.26 (14.9 degrees) it spares exact capture what only wider triangles need; else
+    // it has no effect. Where the promise is not kept, the map is right and takes longer.
     std::optional<float> widestAngle = std::nullopt;
     std::size_t triangles = 0;  // for the report and for cheapestPose
     bool cullBackFaces = false; // front faces are counter-clockwise as seen from the probe
 };
 
-// What the host's draw callback is told. The program is in use and the library's uniforms are set. Framebuffer, viewport,
-// culling and the like are set once for all draws into a view: the callback may change vertex arrays, buffers, textures,
-// samplers, its own uniforms and the current program, and leaves the rest as it is (docs/gl_state.md).
+// What the host's draw callback is told. The program is in use and the library's uniforms are set. Framebuffer,
+// viewport, culling and the like are set once for all draws into a view: the callback may change vertex arrays,
+// buffers, textures, samplers, its own uniforms and the current program, and leaves the rest as it is
+// (docs/gl_state.md).
 struct CaptureDraw
 {
-    // GL name of one of the programs that a CaptureProgram becomes; another one may come when a mesh or the probe moves.
-    // Their uniforms are apart: set all of the host's own on this one, samplers and blocks too, and keep locations by this
-    // name. The eye of shading is the probe's centre, and no camera's frustum culls.
+    // GL name of one of the programs that a CaptureProgram becomes; another one may come when a mesh or the probe
+    // moves. Their uniforms are apart: set all of the host's own on this one, samplers and blocks too, and keep
+    // locations by this name. The eye of shading is the probe's centre, and no camera's frustum culls.
     unsigned int program;
     int view; // 0 … viewCount - 1: a component, or an octant of the octahedral map; -1 for all at once
     // What glDraw* takes: GL_TRIANGLES (4), or GL_PATCHES for `tessellated` only, which draws nothing else.
@@ -97,12 +99,12 @@ enum class SideTarget { texture2d, rectangle };
 struct CaptureReport
 {
     int draws = 0;
-    // Mesh-and-view pairs that were not drawn, because they do not touch or, for the second layer of depth, because nothing
-    // can lie before them.
+    // Mesh-and-view pairs that were not drawn, because they do not touch or, for the second layer of depth, because
+    // nothing can lie before them.
     int drawsCulled = 0;
     std::size_t triangles = 0; // sent, counted once for each draw
-    // Of the draws: by exact capture, and by mapped vertices where automatic found that enough. Neither counts the linear
-    // draws of cube and octahedral maps, nor perVertex and tessellated ones.
+    // Of the draws: by exact capture, and by mapped vertices where automatic found that enough. Neither counts the
+    // linear draws of cube and octahedral maps, nor perVertex and tessellated ones.
     int drawsExact = 0;
     int drawsMapped = 0;
     std::size_t texels = 0; // of the map

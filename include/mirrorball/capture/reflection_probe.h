@@ -92,8 +92,8 @@ public:
     using DrawMesh = std::function<void(const CaptureMesh&, const CaptureDraw&)>;
     using DrawScene = std::function<void(CaptureView&)>;
 
-    // Needs a current context of OpenGL 3.3 or later. Throws Error badArgument, noContext, unsupported or, while transform
-    // feedback is active, hostBusy.
+    // Needs a current context of OpenGL 3.3 or later. Throws Error badArgument, noContext, unsupported or, while
+    // transform feedback is active, hostBusy.
     explicit ReflectionProbe(const Desc& desc);
     ~ReflectionProbe();
     ReflectionProbe(ReflectionProbe&&) noexcept;
@@ -102,8 +102,8 @@ public:
     const Desc& desc() const;
     float near() const; // as resolved
 
-    // Moves the probe; takes effect with the next capture. Throws Error badArgument for a pose that shears, mirrors, scales
-    // unevenly or is not finite.
+    // Moves the probe; takes effect with the next capture. Throws Error badArgument for a pose that shears, mirrors,
+    // scales unevenly or is not finite.
     void setPose(const glm::dmat4& worldFromProbe);
     void setCaptureOrigin(const glm::dvec3& captureOrigin);
 
@@ -113,14 +113,15 @@ public:
     // stands still: it asks touches() 257 times for each mesh and view. Only meshes with bounds tell anything.
     glm::dmat4 cheapestPose(std::span<const CaptureMesh> meshes) const;
 
-    // Draws the meshes into a new map and swaps it in when all of it is done: each mesh once for each view that it touches,
-    // and with two layers of depth once more where it may be hidden. What the callback throws is passed on after the state
-    // is restored. Throws Error badShader where a program does not compile or its varyings find no room, badArgument for a
-    // mesh or a range that cannot be, hostBusy from inside a capture of the same probe, and what the constructor throws.
+    // Draws the meshes into a new map and swaps it in when all of it is done: each mesh once for each view that it
+    // touches, and with two layers of depth once more where it may be hidden. What the callback throws is passed on
+    // after the state is restored. Throws Error badShader where a program does not compile or its varyings find no
+    // room, badArgument for a mesh or a range that cannot be, hostBusy from inside a capture of the same probe, and
+    // what the constructor throws.
     CaptureReport capture(std::span<const CaptureMesh> meshes, const DrawMesh& draw);
 
-    // The same, drawn by the host itself: called once for each view, or once in all with allAtOnce; for the second layer of
-    // depth once more for each view. The host's order is kept, also with nearFirst.
+    // The same, drawn by the host itself: called once for each view, or once in all with allAtOnce; for the second
+    // layer of depth once more for each view. The host's order is kept, also with nearFirst.
     CaptureReport capture(const DrawScene& drawScene);
 
     // Takes over six sides that the host has drawn itself, +X -X +Y -Y +Z -Z, each of n × n texels laid out
@@ -135,8 +136,8 @@ public:
     bool touches(int view, const Box& bounds) const;
 
     // The last complete capture; before the first one, the background everywhere. It stays until the next one: where
-    // nothing has moved, a host leaves capture() out. Each capture changes the texture names, so that a copy of this goes
-    // stale; its pose is that of its capture.
+    // nothing has moved, a host leaves capture() out. Each capture changes the texture names, so that a copy of this
+    // goes stale; its pose is that of its capture.
     const ReflectionMap& map() const;
 
 private:

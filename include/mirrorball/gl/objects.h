@@ -2,8 +2,8 @@
 // puts into a Desc is borrowed and never deleted. No GL header is needed to use them: names are unsigned int.
 //
 // An owner deletes its object in whatever context is current. That is to be the one it was made in; for what OpenGL
-// shares, all but framebuffers and vertex arrays, one that shares with it will do. With none current the name is dropped
-// without a GL call: the context is gone, or the object lives on until it is.
+// shares, all but framebuffers and vertex arrays, one that shares with it will do. With none current the name is
+// dropped without a GL call: the context is gone, or the object lives on until it is.
 #pragma once
 
 #include <mirrorball/export.h>

@@ -73,8 +73,8 @@ struct Cube
         return {unitFromSigned(st.x), unitFromSigned(st.y)};
     }
 
-    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away; |p.x|, |p.y| <= reach.
-    // At a texel's centre, in texels, float finds it without rounding.
+    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away; |p.x|, |p.y| <=
+    // reach. At a texel's centre, in texels, float finds it without rounding.
     template <class Real>
     static Vec3<Real> rayFromCentre(const Index<Real>& component, const Vec2<Real>& p, const Real& reach)
     {

@@ -34,8 +34,8 @@ struct DualParaboloid
         return {unitFromSigned(d.x / divisor), unitFromSigned(d.y / divisor)};
     }
 
-    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away; |p.x|, |p.y| <= reach.
-    // At a texel's centre, in texels, float finds it without rounding up to n = 4096.
+    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away; |p.x|, |p.y| <=
+    // reach. At a texel's centre, in texels, float finds it without rounding up to n = 4096.
     template <class Real>
     static Vec3<Real> rayFromCentre(const Index<Real>& component, const Vec2<Real>& p, const Real& reach)
     {

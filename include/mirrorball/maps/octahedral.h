@@ -39,8 +39,8 @@ struct Octahedral
                 unitFromSigned(select(below, (Real(1) - abs(a)) * signNotZero(d.y), b))};
     }
 
-    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away; |p.x|, |p.y| <= reach.
-    // At a texel's centre, in texels, float finds it without rounding.
+    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away; |p.x|, |p.y| <=
+    // reach. At a texel's centre, in texels, float finds it without rounding.
     template <class Real>
     static Vec3<Real> rayFromCentre(const Index<Real>&, const Vec2<Real>& p, const Real& reach)
     {

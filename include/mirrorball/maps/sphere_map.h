@@ -52,8 +52,8 @@ struct SphereMap
         return {a * scale, b * scale, Real(1) - Real(2) * rr};
     }
 
-    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away; |p.x|, |p.y| <= reach.
-    // At a texel's centre, in texels up to n = 4096, only z is rounded, and no digit is lost at the rim.
+    // A direction of any length at a place `p` from the square's centre, whose sides are `reach` away; |p.x|, |p.y| <=
+    // reach. At a texel's centre, in texels up to n = 4096, only z is rounded, and no digit is lost at the rim.
     template <class Real>
     static Vec3<Real> rayFromCentre(const Index<Real>&, const Vec2<Real>& p, const Real& reach)
     {

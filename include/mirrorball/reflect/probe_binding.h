@@ -37,8 +37,8 @@ struct MaterialSettings
     glm::mat4 worldFromView{1.0f};  // for inputs in view space: the inverse of the view matrix
     glm::dvec3 origin{0.0};         // world positions given to the shader are relative to this point
     Filtering filtering = Filtering::linear;
-    // The longest pixels that LevelOfDetail::anisotropic follows, length to width. Below 1 is 1; above the driver's limit, or
-    // NaN, is that limit.
+    // The longest pixels that LevelOfDetail::anisotropic follows, length to width. Below 1 is 1; above the driver's
+    // limit, or NaN, is that limit.
     float anisotropy = 8.0f;
     // For Lookup::sphere and Lookup::box: an affine transformation of the unit sphere, or of the cube
     // [-1, 1]³, onto what stands for the surroundings. Without an inverse, or not finite, everything is infinitely far.
@@ -50,9 +50,9 @@ class MIRRORBALL_EXPORT ProbeBinding
 public:
     // A linked program with reflectionGlsl in it (borrowed, to live as long). Uses the texture units firstUnit and
     // firstUnit + 1, for Lookup::layered two more, which the program's own samplers must leave free. Throws Error
-    // badArgument for a program that is not linked, or that uses no look-up with this prefix (compilers drop what no output
-    // depends on), and for units beyond the driver's limit; noContext, unsupported and hostBusy as a probe does, and so does
-    // bind.
+    // badArgument for a program that is not linked, or that uses no look-up with this prefix (compilers drop what no
+    // output depends on), and for units beyond the driver's limit; noContext, unsupported and hostBusy as a probe does,
+    // and so does bind.
     explicit ProbeBinding(unsigned int program, int firstUnit = 0, std::string prefix = "mirrorball_");
     ~ProbeBinding();
     ProbeBinding(ProbeBinding&&) noexcept;
@@ -75,7 +75,8 @@ public:
     };
 
     // Sets the uniforms (the current program stays current) and binds the textures. Throws Error badArgument for a map
-    // without colours, or of another kind than the program looks up, and for a tint, blend, turn, view or origin that is not finite.
+    // without colours, or of another kind than the program looks up, and for a tint, blend, turn, view or origin that
+    // is not finite.
     [[nodiscard]] Bound bind(const ReflectionMap& map, const MaterialSettings& settings = {}) const;
 
 private:

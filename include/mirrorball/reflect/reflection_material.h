@@ -64,7 +64,8 @@ struct ReflectionMaterial
 //                        xyz: the surface that the mirror shows, in world space; w: 1, or 0 if none
 // With a level of detail other than `first`, functions without a level or changes use dFdx and dFdy: they are
 // for fragment shaders, to be called by all pixels of an object alike. Without it there is no lookUpGradient.
-// Throws Error badArgument for a prefix that GLSL allows no name to begin with, and for what its enumeration does not name.
+// Throws Error badArgument for a prefix that GLSL allows no name to begin with, and for what its enumeration does not
+// name.
 MIRRORBALL_EXPORT std::string reflectionGlsl(const ReflectionMaterial& material);
 
 } // namespace mirrorball

@@ -1,5 +1,5 @@
-// k x k samples become one texel: colour is averaged in linear light, distance is taken from one sample, since a mean of
-// distances lies on no surface.
+// k x k samples become one texel: colour is averaged in linear light, distance is taken from one sample, since a mean
+// of distances lies on no surface.
 uniform sampler2DArray colours;
 uniform sampler2DArray distances;
 uniform int layer;

@@ -86,16 +86,17 @@ void mirrorballCapture_coverLayer(inout mirrorballCapture_Cover cover)
     cover.breaks = 0;
 }
 
-// How far an arc's image departs from its chord at most, in texels; each family of maps writes it. `bend` is the family's
-// own measure of an edge, chord that between its ends' unit directions, step that between their places, in texels.
+// How far an arc's image departs from its chord at most, in texels; each family of maps writes it. `bend` is the
+// family's own measure of an edge, chord that between its ends' unit directions, step that between their places, in
+// texels.
 float mirrorballCapture_arcSag(float bend, float chord, vec2 step);
 
 #if MIRRORBALL_BANDS && MIRRORBALL_CURVED && MIRRORBALL_STRIPS > 1
-// A thin triangle: a band of MIRRORBALL_STRIPS straight pieces along the arc of its longest edge (k, opposite to corner k).
-// Every direction of it is as near to that arc as its third corner is, so that the band is as wide as the map stretches that,
-// and as a piece's sag. False where it would be wider, to either side, than so many texels.
-bool mirrorballCapture_coverBand(int view, vec3 vertex[3], vec3 edge[3], vec2 p[3], float widest, vec3 bend,
-                                 inout mirrorballCapture_Cover cover)
+// A thin triangle: a band of MIRRORBALL_STRIPS straight pieces along the arc of its longest edge (k, opposite to corner
+// k). Every direction of it is as near to that arc as its third corner is, so that the band is as wide as the map
+// stretches that, and as a piece's sag. False where it would be wider, to either side, than so many texels.
+bool mirrorballCapture_coverBand(int view, vec3 vertex[3], vec3 edge[3], vec2 p[3], float stretch,
+                                 float widest, vec3 bend, inout mirrorballCapture_Cover cover)
 {
     vec3 unit[3];
     for (int corner = 0; corner < 3; ++corner)
@@ -106,9 +107,9 @@ bool mirrorballCapture_coverBand(int view, vec3 vertex[3], vec3 edge[3], vec2 p[
     vec3 b = unit[(k + 2) % 3];
     float sine = abs(dot(edge[k], vertex[k])) / max(length(edge[k]) * length(vertex[k]), 1e-37);
     // Angles below a radian: at most 1.19 times their sine.
-    float width = 1.19 * sine * MIRRORBALL_STRETCH;
-    // Pieces even on the chord are uneven on the arc, at most 1.033 times the mean for chords up to half a radian.
-    float part = 1.04 * chord[k] / float(MIRRORBALL_STRIPS);
+    float width = 1.19 * sine * stretch;
+    // Pieces even on the chord are uneven on the arc: the middle ones are longest.
+    float part = 1.01 * chord[k] * inversesqrt(1.0 - 0.25 * chord[k] * chord[k]) / float(MIRRORBALL_STRIPS);
     vec2 place[MIRRORBALL_STRIPS + 1];
     float piece = 0.0;
     for (int index = 0; index <= MIRRORBALL_STRIPS; ++index) {
@@ -123,7 +124,8 @@ bool mirrorballCapture_coverBand(int view, vec3 vertex[3], vec3 edge[3], vec2 p[
             piece = max(piece, mirrorballCapture_arcSag(bend[k], part, abs(place[index] - place[max(index - 1, 0)])));
     }
     width += piece + mirrorballCapture_guard;
-    if (!(width < widest))
+    // A quarter turn at most: the third corner of a longer edge may lie near its circle, but on the far side.
+    if (!(width < widest && chord[k] < 1.4))
         return false;
     cover.count = 2 * MIRRORBALL_STRIPS + 2;
     cover.breaks = 0;
@@ -142,10 +144,11 @@ bool mirrorballCapture_coverBand(int view, vec3 vertex[3], vec3 edge[3], vec2 p[
 }
 #endif
 
-// Each family of maps writes these two. The first narrows the extent across, at one place along, to the side of an edge's
-// plane where edge . direction >= 0 (a little more, for rounding).
+// Each family of maps writes these two. The first narrows the extent across, at one place along, to the side of an
+// edge's plane where edge . direction >= 0 (a little more, for rounding).
 void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent);
-// The second: where, nearest to a place along, an edge's curve changes the sense of its bend; outside the layer if nowhere.
+// The second: where, nearest to a place along, an edge's curve changes the sense of its bend; outside the layer if
+// nowhere.
 float mirrorballCapture_inflection(int view, vec3 edge, float at);
 
 #if MIRRORBALL_OCTAHEDRAL
@@ -163,6 +166,8 @@ vec2 mirrorballCapture_extentAt(int view, vec3 edge[4], float at, out ivec2 bind
         int k = turn % 4;
         vec2 wider = extent;
         mirrorballCapture_narrow(view, edge[k], at, extent);
+        // What lies farther out still tells in which direction the triangle goes on from here.
+        extent = clamp(extent, -9.0, 10.0);
         binding = ivec2(extent.x > wider.x ? k : binding.x, extent.y < wider.y ? k : binding.y);
     }
     return extent;
@@ -189,8 +194,8 @@ vec2 mirrorballCapture_edgeLine(int view, vec3 edge, float from, float to, float
         greatest = max(greatest, abs(value[k]));
     }
     float slope = (value[4] - value[0]) / (place[4] - place[0]);
-    // On either side of the inflection the curve bends one way, and departs from a chord by at most twice what it does in
-    // the chord's middle.
+    // On either side of the inflection the curve bends one way, and departs from a chord by at most twice what it does
+    // in the chord's middle.
     float bulge = max(value[1] - 0.5 * (value[0] + value[2]), value[3] - 0.5 * (value[2] + value[4]));
     float knee = value[2] - value[0] - slope * (place[2] - place[0]);
     // The guard along moves a sloping line, too.
@@ -199,14 +204,15 @@ vec2 mirrorballCapture_edgeLine(int view, vec3 edge, float from, float to, float
     return greatest < 8.0 && to - from < MIRRORBALL_LONGEST_STRIP ? line : wide;
 }
 
-// What a strip has of a triangle: its lower and upper outline at the strip's beginning (x, y) and end (z, w); empty where
-// x > y, and `clear` if that is more than rounding: nothing needs to be drawn there. The outline is monotone between
-// `events` (vertices, and where an edge turns back), so the extents there and at both ends bound it; the edges that bind
-// it in the strip's middle bound it more closely.
+// What a strip has of a triangle: its lower and upper outline at the strip's beginning (x, y) and end (z, w); empty
+// where x > y, and `clear` if that is more than rounding: nothing needs to be drawn there. The outline is monotone
+// between `events` (vertices, and where an edge turns back), so the extents there and at both ends bound it; the edges
+// that bind it in the strip's middle bound it more closely.
 vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORBALL_EVENTS], float from, float to,
                                     out bool clear)
 {
-    // The rasteriser may move the strip's ends along, too: a triangle that is thin that way changes its extent within less.
+    // The rasteriser may move the strip's ends along, too: a triangle that is thin that way changes its extent within
+    // less.
     float guard = mirrorballCapture_guard / mirrorballCapture_size.MIRRORBALL_ALONG;
     vec2 extent = vec2(20.0, -20.0);
     ivec2 binding;
@@ -256,8 +262,8 @@ vec4 mirrorballCapture_stripOutline(int view, vec3 edge[4], float events[MIRRORB
 }
 
 // The borders of the strips between `first` and `last`: at the three vertices between them, so that few strips hold a
-// corner, and evenly in between, there at multiples of 4 texels: a block of 4 x 4 (of 2 x 2 on GPUs) that a border parts is
-// run for both sides.
+// corner, and evenly in between, there at multiples of 4 texels: a block of 4 x 4 (of 2 x 2 on GPUs) that a border
+// parts is run for both sides.
 void mirrorballCapture_placeStrips(vec3 vertices, float first, float last, out float border[MIRRORBALL_STRIPS + 1])
 {
     // With fewer strips than four parts: evenly.
@@ -289,9 +295,9 @@ void mirrorballCapture_placeStrips(vec3 vertices, float first, float last, out f
     }
 }
 
-// A triangle of any size, cut into strips between `first` and `last` along MIRRORBALL_ALONG; the polygon runs through the
-// wider of two neighbours' outlines. edge: those of the triangle, turned so that the inside is where they are >= 0, and a
-// plane that cuts away the far side of the sphere. The first three events are the vertices.
+// A triangle of any size, cut into strips between `first` and `last` along MIRRORBALL_ALONG; the polygon runs through
+// the wider of two neighbours' outlines. edge: those of the triangle, turned so that the inside is where they are >= 0,
+// and a plane that cuts away the far side of the sphere. The first three events are the vertices.
 void mirrorballCapture_coverStrips(int view, vec3 edge[4], float events[MIRRORBALL_EVENTS], float first, float last,
                                    inout mirrorballCapture_Cover cover)
 {

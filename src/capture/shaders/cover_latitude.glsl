@@ -1,5 +1,5 @@
-// Maps whose coordinates are functions of latitude and longitude. Longitude runs along the strips; MIRRORBALL_PERIOD is 360
-// degrees in units of the square.
+// Maps whose coordinates are functions of latitude and longitude. Longitude runs along the strips; MIRRORBALL_PERIOD is
+// 360 degrees in units of the square.
 
 // Latitude is the angle to the plane y = 0, longitude 0 is at +z.
 vec3 mirrorballCapture_local(int view, vec3 v)
@@ -41,8 +41,8 @@ void mirrorballCapture_narrow(int view, vec3 edge, float at, inout vec2 extent)
     extent = isLow ? vec2(max(extent.x, bound), extent.y) : vec2(extent.x, min(extent.y, bound));
 }
 
-// Latitude over longitude is atan(T sin l), with T the tangent of the circle's inclination: it bends one way between two
-// crossings of the equator, which are half a turn apart.
+// Latitude over longitude is atan(T sin l), with T the tangent of the circle's inclination: it bends one way between
+// two crossings of the equator, which are half a turn apart.
 float mirrorballCapture_inflection(int view, vec3 edge, float at)
 {
     vec3 m = mirrorballCapture_local(view, edge);
@@ -59,15 +59,16 @@ bool mirrorballCapture_holdsPole(vec3 edgeY, vec3 edgeLength, float side)
 
 #if MIRRORBALL_CURVED
 // A triangle that is large on the map, or near a pole or the cut.
-void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec3 along, float first, float last, bool wraps,
-                                   inout mirrorballCapture_Cover cover)
+void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec3 along, float first, float last,
+                                   bool wraps, inout mirrorballCapture_Cover cover)
 {
     vec3 edgeY, edgeLength;
     for (int k = 0; k < 3; ++k) {
         edgeY[k] = mirrorballCapture_local(view, edge[k]).y;
         edgeLength[k] = length(edge[k]);
     }
-    bool pole = mirrorballCapture_holdsPole(edgeY, edgeLength, 1.0) || mirrorballCapture_holdsPole(edgeY, edgeLength, -1.0);
+    bool pole = mirrorballCapture_holdsPole(edgeY, edgeLength, 1.0) ||
+                mirrorballCapture_holdsPole(edgeY, edgeLength, -1.0);
     // An edge that passes near a pole has no safe direction to go round it.
     vec3 steps = abs(along - along.yzx);
     if (pole || wraps || max(max(steps.x, steps.y), steps.z) > 0.48 * MIRRORBALL_PERIOD) {
@@ -137,20 +138,21 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
 #if MIRRORBALL_EQUIRECTANGULAR
     bool beyond = false;
 #else
-    // Both caps beyond 45 degrees are convex, and so is the wedge between 135 degrees and the cut: with all vertices in one
-    // of them (here 0.01 degrees further in), so is the triangle, and nothing of it lies on the layer.
+    // Both caps beyond 45 degrees are convex, and so is the wedge between 135 degrees and the cut: with all vertices in
+    // one of them (here 0.01 degrees further in), so is the triangle, and nothing of it lies on the layer.
     vec3 sines = vec3(unit[0].y, unit[1].y, unit[2].y);
     bool beyond = all(greaterThan(sines, vec3(0.70723))) || all(lessThan(sines, vec3(-0.70723))) ||
                   max(max(abs(unit[0].x) + unit[0].z, abs(unit[1].x) + unit[1].z), abs(unit[2].x) + unit[2].z) < -3e-4;
 #endif
     cover.count = beyond ? 0 : cover.count;
 #if MIRRORBALL_CURVED
-    // A loop of one turn, and not an if: software rasterisers leave loops that nobody enters, and the loops within, after
-    // one turn.
+    // A loop of one turn, and not an if: software rasterisers leave loops that nobody enters, and the loops within,
+    // after one turn.
 #if MIRRORBALL_BANDS && MIRRORBALL_STRIPS > 1
     float widest = 0.25 * (max(max(sag.x, sag.y), sag.z) + mirrorballCapture_guard);
     for (int turns = straight && cover.count > 0 && loose > 8.0 ? 1 : 0; turns > 0; --turns)
-        loose = mirrorballCapture_coverBand(view, vertex, edge, p, widest, tangent, cover) ? 0.0 : loose;
+        if (mirrorballCapture_coverBand(view, vertex, edge, p, MIRRORBALL_STRETCH, widest, tangent, cover))
+            loose = 0.0;
 #endif
     bool close = straight && loose < 100.0; // which is what strips cost
     for (int turns = close || beyond ? 0 : 1; turns > 0; --turns)

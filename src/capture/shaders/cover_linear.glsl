@@ -1,5 +1,5 @@
-// Views in which great circles are straight lines: cube faces, octants of the octahedral map. On the equi-angular cube each
-// axis is then bent by one monotone function.
+// Views in which great circles are straight lines: cube faces, octants of the octahedral map. On the equi-angular cube
+// each axis is then bent by one monotone function.
 uniform mat3 mirrorballCapture_clipFromDirection[MIRRORBALL_SLOTS];
 uniform mat3 mirrorballCapture_lineFromDirection[MIRRORBALL_SLOTS];
 
@@ -73,12 +73,18 @@ float mirrorballCapture_inflection(int view, vec3 edge, float at)
 void mirrorballCapture_coverLarge(int view, vec3 vertex[3], vec3 edge[3], float first, float last,
                                   inout mirrorballCapture_Cover cover)
 {
-    // Vertices, as far as they lie in front.
-    float events[3] = float[3](0.5, 0.5, 0.5);
+    // Vertices, as far as they lie in front, and where an edge's line crosses the layer's sides: what lies between these,
+    // along a line that is level or nearly so, may begin and end at vertices far out.
+    float events[9];
     for (int k = 0; k < 3; ++k) {
         vec3 local = mirrorballCapture_clipFromDirection[MIRRORBALL_SLOT(view)] * vertex[k];
-        if (local.z > 1e-4 * length(vertex[k]))
-            events[k] = mirrorballCapture_texelFromStraight(clamp(local.xy / local.z, -2.0, 2.0)).y / mirrorballCapture_size.y;
+        vec3 line = mirrorballCapture_lineFromDirection[MIRRORBALL_SLOT(view)] * edge[k];
+        float across = abs(line.y) > 1e-30 ? line.y : 1e-30;
+        bool inFront = local.z > 1e-4 * length(vertex[k]);
+        vec3 place = vec3(inFront ? local.y / local.z : 0.0, (line.x - line.z) / across, (-line.x - line.z) / across);
+        for (int which = 0; which < 3; ++which)
+            events[k + 3 * which] = mirrorballCapture_texelFromStraight(vec2(clamp(place[which], -2.0, 2.0))).y /
+                                    mirrorballCapture_size.y;
     }
     vec3 planes[4];
     mirrorballCapture_boundingPlanes(vertex, edge, planes);

@@ -1,6 +1,6 @@
 // The dual paraboloid is the stereographic projection: great circles become circles. With the map's axis as z and
-// (a, b) in [-1, 1], the plane of normal m becomes the circle around (m.x, m.y) / m.z of radius |m| / |m.z| >= 1; its inside
-// is where m . direction >= 0 for m.z > 0.
+// (a, b) in [-1, 1], the plane of normal m becomes the circle around (m.x, m.y) / m.z of radius |m| / |m.z| >= 1; its
+// inside is where m . direction >= 0 for m.z > 0.
 
 vec3 mirrorballCapture_local(int view, vec3 v)
 {
@@ -43,7 +43,8 @@ float mirrorballCapture_inflection(int view, vec3 edge, float at)
 }
 
 #if MIRRORBALL_CURVED
-void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 p[3], inout mirrorballCapture_Cover cover)
+void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 p[3],
+                                   inout mirrorballCapture_Cover cover)
 {
     // Vertices, and where an edge's circle is widest or ends.
     float events[12];
@@ -57,8 +58,8 @@ void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 
     }
     vec3 planes[4];
     mirrorballCapture_boundingPlanes(vertex, edge, planes);
-    // The strips begin and end with the triangle: at a vertex, or where an edge's circle is widest, if that place is the
-    // triangle's. Around the point behind the map's plane, which lies at infinity, there is no end.
+    // The strips begin and end with the triangle: at a vertex, or where an edge's circle is widest, if that place is
+    // the triangle's. Around the point behind the map's plane, which lies at infinity, there is no end.
     vec3 edgeZ, edgeLength;
     for (int k = 0; k < 3; ++k) {
         edgeZ[k] = mirrorballCapture_local(view, edge[k]).z;
@@ -80,8 +81,8 @@ void mirrorballCapture_coverCurved(int view, vec3 vertex[3], vec3 edge[3], vec2 
 }
 #endif
 
-// bend: the inverse radius of the edge's circle, in (a, b). An arc of a circle of radius r >= 1 over a chord of at most 1/2
-// rises by less than 0.1271 chord^2 / r over it; of a longer one nothing is said.
+// bend: the inverse radius of the edge's circle, in (a, b). An arc of a circle of radius r >= 1 over a chord of at most
+// 1/2 rises by less than 0.1271 chord^2 / r over it; of a longer one nothing is said.
 float mirrorballCapture_arcSag(float bend, float chord, vec2 step)
 {
     float unit = 0.5 * mirrorballCapture_size.x;
@@ -128,7 +129,9 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     float widest = straight ? 0.25 * (max(max(sag.x, sag.y), sag.z) + mirrorballCapture_guard) : 3.0;
     bool isLoose = straight ? cover.count > 0 && loose > 8.0 : lowest > -0.6;
     for (int turns = isLoose && !beyond ? 1 : 0; turns > 0; --turns)
-        covered = mirrorballCapture_coverBand(view, vertex, edge, texel, widest, inverseRadius, cover) || straight;
+        covered = mirrorballCapture_coverBand(view, vertex, edge, texel, MIRRORBALL_STRETCH, widest, inverseRadius,
+                                              cover) ||
+                  straight;
 #endif
     for (int turns = covered || beyond ? 0 : 1; turns > 0; --turns)
         mirrorballCapture_coverCurved(view, vertex, edge, p, cover);

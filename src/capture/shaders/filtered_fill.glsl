@@ -1,4 +1,5 @@
-// Level 0 of a map with guard texels: each texel shows what is seen in its own direction, whichever component owns that.
+// Level 0 of a map with guard texels: each texel shows what is seen in its own direction, whichever component owns
+// that.
 uniform int guard; // texels before the map's first
 uniform int layer;
 

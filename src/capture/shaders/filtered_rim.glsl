@@ -1,5 +1,5 @@
-// The rim of the sphere map's disc is one direction, but interpolation next to it would show a different colour at every
-// point of it. Texels which that interpolation touches are given the mean of what is seen round the rim.
+// The rim of the sphere map's disc is one direction, but interpolation next to it would show a different colour at
+// every point of it. Texels which that interpolation touches are given the mean of what is seen round the rim.
 uniform vec4 textureFromSquare; // scale, offset
 uniform vec2 levelSize;         // of the level drawn into, guard texels included
 

@@ -17,7 +17,8 @@ bool mirrorballCapture_hit;
 void mirrorballCapture_begin()
 {
     vec3 ray = mirrorballCapture_rayOfTexel(mirrorballCapture_numbers.y, gl_FragCoord.xy, mirrorballCapture_size);
-    vec3 inside = vec3(dot(ray, mirrorballCapture_edge0), dot(ray, mirrorballCapture_edge1), dot(ray, mirrorballCapture_edge2));
+    vec3 inside = vec3(dot(ray, mirrorballCapture_edge0), dot(ray, mirrorballCapture_edge1),
+                       dot(ray, mirrorballCapture_edge2));
     // Positions hit in proportion to these weights: perspective-correct without a projection.
     mirrorballCapture_weight = inside / (inside.x + inside.y + inside.z);
     float radius = mirrorballCapture_trianglePlane.w / dot(mirrorballCapture_trianglePlane.xyz, ray) *

@@ -24,8 +24,8 @@ bool mirrorballCapture_isBehind(int layer, vec2 low, vec2 high, float nearest, v
 {
     low = clamp(low, vec2(0.0), mirrorballCapture_size - 0.5);
     high = clamp(high, low, mirrorballCapture_size - 0.5);
-    // The plane's distance in a direction is w / (normal . direction), which changes by less than the normal's length times
-    // the angle.
+    // The plane's distance in a direction is w / (normal . direction), which changes by less than the normal's length
+    // times the angle.
     vec3 middle = mirrorballCapture_directionFromSquare(layer, 0.5 * (low + high) / mirrorballCapture_size);
     float sway = 0.5 * length(high - low) * MIRRORBALL_SPREAD * length(plane.xyz);
     nearest = max(nearest, abs(plane.w) / (abs(dot(plane.xyz, middle)) + sway));

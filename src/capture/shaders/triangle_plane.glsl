@@ -2,8 +2,8 @@
 
 #ifdef GL_ARB_gpu_shader5
 #define MIRRORBALL_COMPENSATED 1
-// Adds a * b to an unevaluated sum of two floats, both roundings kept (Dekker, "A floating-point technique for extending
-// the available precision", 1971). `precise` forbids the compiler to simplify the differences away.
+// Adds a * b to an unevaluated sum of two floats, both roundings kept (Dekker, "A floating-point technique for
+// extending the available precision", 1971). `precise` forbids the compiler to simplify the differences away.
 void mirrorballCapture_addProduct(float a, float b, inout vec2 sum)
 {
     const float splitter = 4097.0; // 2^12 + 1 halves a float's 24 bits
@@ -34,8 +34,8 @@ vec4 mirrorballCapture_plane(vec3 a, vec3 b, vec3 c)
     vec3 nearest = squared.x <= squared.y && squared.x <= squared.z ? a : squared.y <= squared.z ? b : c;
     vec4 plane = vec4(normal, dot(normal, nearest));
 #ifdef MIRRORBALL_COMPENSATED
-    // Needles, and planes that nearly hold the centre, lose too many digits. A loop, and no if: software rasterisers leave
-    // loops that nobody enters after one turn, and walk through both sides of an if.
+    // Needles, and planes that nearly hold the centre, lose too many digits. A loop, and no if: software rasterisers
+    // leave loops that nobody enters after one turn, and walk through both sides of an if.
     float area = dot(normal, normal);
     bool needle = area < 1e-3 * dot(ab, ab) * dot(ac, ac);
     bool edgeOn = plane.w * plane.w < 1e-3 * area * dot(nearest, nearest);

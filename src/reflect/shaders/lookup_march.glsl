@@ -52,8 +52,8 @@ float mirrorball_nearestAround(mirrorball_Ray ray, float s)
 }
 
 // Where the march begins: by the blocks in four directions of the sweep nothing is nearer than the ray has come there.
-// Of a sweep of 90 degrees they are 30 apart, and something narrow between two blocks may be passed by. A ray that comes
-// nearer to the centre first (a mirror that is long or hollow has those) begins at the mirror.
+// Of a sweep of 90 degrees they are 30 apart, and something narrow between two blocks may be passed by. A ray that
+// comes nearer to the centre first (a mirror that is long or hollow has those) begins at the mirror.
 float mirrorball_firstPlace(mirrorball_Ray ray)
 {
     float place = 0.0;
@@ -148,7 +148,8 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
         float remaining = 1.0 - float(step) / float(mirrorball_steps);
         float next = 1.0 - (1.0 - first) * remaining * mix(remaining, 1.0, mirrorball_even);
         float after = mirrorball_behind(mirrorball_distanceMap, ray, next);
-        // Loops of one turn, since software rasterisers skip loops that nobody enters and walk through both sides of an if.
+        // Loops of one turn, since software rasterisers skip loops that nobody enters and walk through both sides of an
+        // if.
         for (int turns = before < 0.0 && after >= 0.0 ? 1 : 0; turns > 0; --turns) {
             vec2 interval = vec2(previous, next);
             found = mirrorball_meets(mirrorball_distanceMap, ray, before, after, interval);
@@ -159,8 +160,8 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
 #endif
         }
 #if MIRRORBALL_LAYERED
-        // Only what is behind the first surface can be behind the second. The last step ends at infinity, behind all: there
-        // nothing is looked for.
+        // Only what is behind the first surface can be behind the second. The last step ends at infinity, behind all:
+        // there nothing is looked for.
         for (int turns = after >= 0.0 && next < 1.0 && !found ? 1 : 0; turns > 0; --turns) {
             vec2 interval = vec2(previous, next);
             float back = mirrorball_behind(mirrorball_hiddenDistanceMap, ray, next);
@@ -180,8 +181,8 @@ vec4 mirrorball_shown(vec3 positionInWorld, vec3 directionInWorld)
     return shown;
 }
 
-// Where the colours are to be read: as near as linear filtering mixes in nothing of another surface than the one that the
-// nearest texel shows. (Corners, a quarter of what is mixed at most, are left.)
+// Where the colours are to be read: as near as linear filtering mixes in nothing of another surface than the one that
+// the nearest texel shows. (Corners, a quarter of what is mixed at most, are left.)
 vec2 mirrorball_withinSurface(vec3 coordinate)
 {
     vec2 size = max(vec2(textureSize(mirrorball_distanceMap, 0).xy), 1.0); // no texture may have no size

@@ -54,8 +54,8 @@ vec4 mirrorball_colourOver(vec3 v, vec3 alongX, vec3 alongY)
 vec2 mirrorball_shares(vec3 start, vec3 d, vec3 v)
 {
 #if MIRRORBALL_PARALLAX
-    // v is (1 - s) p + s d up to its length, with p the unit vector to the ray's start. Where the three are the same it is
-    // taken for the ray's end at infinity, s = 1.
+    // v is (1 - s) p + s d up to its length, with p the unit vector to the ray's start. Where the three are the same it
+    // is taken for the ray's end at infinity, s = 1.
     float radius = max(length(start), 1e-30);
     vec3 p = start / radius;
     float nearer = length(cross(v, d));
