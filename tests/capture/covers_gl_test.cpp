@@ -33,7 +33,7 @@ double fragmentsOf(const examples::GlScene& drawable, CaptureProgram& program,
     return static_cast<double>(runs);
 }
 
-// Times what the cube's faces run without covers, at as many texels. On llvmpipe the most is 2.3; 4.7 with pieces of
+// Times what the cube's faces run without covers, at as many texels. On llvmpipe the most is 2.4; 4.5 with pieces of
 // rings on the sphere map's disc, and 3.5 with the octahedral map's eight views, which fit less closely.
 double mostOf(MapKind map)
 {

@@ -24,6 +24,7 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 using namespace mirrorball;
@@ -278,6 +279,11 @@ void print(const char* what, const tests::ParallaxErrors& errors, const tests::P
 
 int main(int argc, char** argv)
 try {
+    if (argc == 2 && std::string_view(argv[1]) == "--help") {
+        std::printf(
+            "parallax_limits SCENE …: the words of a command line of render; render --help lists them\n");
+        return 0;
+    }
     const render::Options options = tests::renderOptions(std::vector<std::string>(argv + 1, argv + argc));
     const Limits limits(options);
     const tests::ParallaxErrors infinite = limits.drawn(options.map, Lookup::infinite);

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 namespace tests {
@@ -107,6 +108,17 @@ Exactness exactnessOf(const examples::Scene& scene, const glm::dvec3& at,
                                           static_cast<std::size_t>(column);
                 const examples::Sample& sample = layers[static_cast<std::size_t>(layer)][texel];
                 Seen shown, traced;
+                // As near as float tells, what lies at `near` or `far` may be drawn or not.
+                const auto isAtLimit = [&](double distance) {
+                    return std::abs(distance - static_cast<double>(probe.near())) <
+                               1e-6 * static_cast<double>(probe.near()) ||
+                           std::abs(distance - static_cast<double>(desc.far)) <
+                               1e-6 * static_cast<double>(desc.far);
+                };
+                if (isAtLimit(hit.distance) || isAtLimit(static_cast<double>(sample.distance))) {
+                    part.texels += 1;
+                    continue;
+                }
                 if (!std::isinf(sample.distance))
                     shown = {static_cast<std::uint32_t>(sample.colour.x + 0.5),
                              static_cast<double>(sample.distance)};
