@@ -137,6 +137,9 @@ void writeProfiles(std::ostream& out, const std::vector<Profile>& profiles)
 
 void writeFindings(std::ostream& out, const std::vector<Row>& rows)
 {
+    const std::vector<Finding> findings = findingsOf(rows);
+    if (findings.empty())
+        return;
     out << "## Where we win and where we lose\n\nThe cheapest map of the library that shows at most "
         << format("%g", rightPercent)
         << " % wrong texels and no texel wider than the cube's, against the cheapest hand-written cube.\n\n"
@@ -144,7 +147,7 @@ void writeFindings(std::ostream& out, const std::vector<Row>& rows)
         << costName()
         << " time, best cube = 1 | wrong texels | |\n"
            "|---|---|---|---|---|---|---|---|\n";
-    for (const Finding& finding : findingsOf(rows)) {
+    for (const Finding& finding : findings) {
         const Row& row = *finding.best;
         out << "| " << row.group.scene->name << " | " << row.group.cubeN << " | "
             << (row.group.cullBackFaces ? "culled" : "drawn") << " | "
