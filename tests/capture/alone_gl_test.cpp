@@ -190,6 +190,8 @@ int main(int argc, char** argv)
     // [COUNT [SEED [MAP]]]: so many triangles a map and size, from this seed on.
     const int count = argc > 1 ? std::atoi(argv[1]) : 100;
     const auto seed = static_cast<unsigned int>(argc > 2 ? std::atoi(argv[2]) : 1);
+    if (argc > 3)
+        CHECK(mapFromName(argv[3]).has_value()); // an unknown map would be no test
     const headless::Context context;
     for (const MapInfo& info : maps()) {
         if (argc > 3 && info.name != argv[3])
