@@ -1,5 +1,6 @@
 // Exact capture of one triangle at a time, on every map, against its edges' planes in double: what the polygon that covers it
 // leaves out shows, since nothing else is there to show instead.
+#include "examples/small_scenes.h"
 #include "support/check.h"
 
 #include "gl_scene.h"
@@ -13,6 +14,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <utility>
+#include <vector>
 
 using namespace mirrorball;
 
@@ -138,20 +141,15 @@ void check(const MapInfo& info, int n, int count, unsigned int seed)
 {
     Random random(seed);
     std::vector<Triangle> triangles;
-    examples::Scene scene;
-    scene.materials.push_back({});
+    std::vector<examples::Mesh> meshes;
     while (static_cast<int>(triangles.size()) < count) {
         const Triangle triangle = anyTriangle(random);
         if (sidesOf(triangle).edgeOn)
             continue;
         triangles.push_back(triangle);
-        examples::Mesh mesh;
-        mesh.positions.assign(triangle.begin(), triangle.end());
-        mesh.normals.assign(3, glm::vec3(0, 1, 0));
-        mesh.textureCoordinates.assign(3, glm::vec2(0.0f));
-        mesh.triangles.push_back({0, 1, 2});
-        scene.meshes.push_back(mesh);
+        meshes.push_back(tests::triangle(triangle[0], triangle[1], triangle[2], glm::vec3(0, 1, 0)));
     }
+    const examples::Scene scene = tests::sceneOf(std::move(meshes));
     const examples::GlScene drawable(scene, glm::dvec3(0.0));
     CaptureProgram program = examples::phongCaptureProgram();
     ReflectionProbe probe({.map = info.kind,

@@ -1,5 +1,6 @@
 // Exact capture against a ray tracer, at every texel of every map: the built-in scenes, the same far from the
 // origin, and triangles made to be difficult.
+#include "examples/small_scenes.h"
 #include "support/check.h"
 #include "support/driver.h"
 #include "support/exactness.h"
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <random>
 #include <string>
+#include <utility>
 
 using namespace mirrorball;
 
@@ -42,20 +44,13 @@ void check(const std::string& name, const examples::Scene& scene, const glm::dve
     CHECK(found.worstDistance <= 1e-4);
 }
 
+// A mesh for every triangle, so that each is drawn by the variant for its own size.
 examples::Scene sceneOf(const std::vector<std::array<glm::vec3, 3>>& triangles)
 {
-    examples::Scene scene;
-    scene.materials.push_back({});
-    // A mesh for every triangle, so that each is drawn by the variant for its own size.
-    for (const auto& triangle : triangles) {
-        examples::Mesh mesh;
-        mesh.positions.assign(triangle.begin(), triangle.end());
-        mesh.normals.assign(3, glm::vec3(0, 1, 0));
-        mesh.textureCoordinates.assign(3, glm::vec2(0.0f));
-        mesh.triangles.push_back({0, 1, 2});
-        scene.meshes.push_back(mesh);
-    }
-    return scene;
+    std::vector<examples::Mesh> meshes;
+    for (const auto& [a, b, c] : triangles)
+        meshes.push_back(tests::triangle(a, b, c, glm::vec3(0, 1, 0)));
+    return tests::sceneOf(std::move(meshes));
 }
 
 class Random

@@ -91,6 +91,21 @@ void mirrorballCapture_coverLayer(inout mirrorballCapture_Cover cover)
 // texels.
 float mirrorballCapture_arcSag(float bend, float chord, vec2 step);
 
+#if MIRRORBALL_BANDS
+// The sags of a triangle's edges, and how many texels straight edges pushed out by them waste along one, at most.
+vec3 mirrorballCapture_sagsOf(vec2 p[3], vec3 bend, vec3 chord, out float loose)
+{
+    vec3 sag;
+    loose = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        vec2 step = abs(p[(k + 1) % 3] - p[(k + 2) % 3]);
+        sag[k] = mirrorballCapture_arcSag(bend[k], chord[k], step);
+        loose = max(loose, sag[k] * length(step));
+    }
+    return sag;
+}
+#endif
+
 #if MIRRORBALL_BANDS && MIRRORBALL_CURVED && MIRRORBALL_STRIPS > 1
 // A thin triangle: a band of MIRRORBALL_STRIPS straight pieces along the arc of its longest edge (k, opposite to corner
 // k). Every direction of it is as near to that arc as its third corner is, so that the band is as wide as the map

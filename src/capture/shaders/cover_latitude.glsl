@@ -122,18 +122,14 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec2 p[3];
     for (int k = 0; k < 3; ++k)
         p[k] = square[k] * mirrorballCapture_size;
-    vec3 sag, tangent;
-    float loose = 0.0; // texels that a straight cover wastes along one edge, at most
+    vec3 tangent;
     for (int k = 0; k < 3; ++k) {
         // An arc rises at most to its ends' sine over the cosine of half its angle, here a quarter radian at most.
-        int i = (k + 1) % 3;
-        int j = (k + 2) % 3;
-        float sine = min(1.033 * max(abs(unit[i].y), abs(unit[j].y)), 0.9);
+        float sine = min(1.033 * max(abs(unit[(k + 1) % 3].y), abs(unit[(k + 2) % 3].y)), 0.9);
         tangent[k] = sine * inversesqrt(1.0 - sine * sine);
-        vec2 step = abs(p[i] - p[j]);
-        sag[k] = mirrorballCapture_arcSag(tangent[k], chord[k], step);
-        loose = max(loose, sag[k] * length(step));
     }
+    float loose;
+    vec3 sag = mirrorballCapture_sagsOf(p, tangent, chord, loose);
     mirrorballCapture_coverTriangle(p, sag, cover);
 #if MIRRORBALL_EQUIRECTANGULAR
     bool beyond = false;

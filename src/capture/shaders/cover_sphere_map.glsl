@@ -229,16 +229,11 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     float room = 1.0 + lowest - 0.51 * longest;
     bool straight = room > 0.03 && longest < 0.5;
     vec3 bend = mirrorballCapture_bendOf(unit, max(room, 0.03));
-    vec3 sag;
-    float loose = 0.0; // texels that a straight cover wastes along one edge, at most
-    for (int k = 0; k < 3; ++k) {
-        vec2 step = p[(k + 1) % 3] - p[(k + 2) % 3];
-        sag[k] = mirrorballCapture_arcSag(bend[k], chord[k], step);
-        loose = max(loose, sag[k] * length(step));
-    }
+    float loose;
+    vec3 sag = mirrorballCapture_sagsOf(p, bend, chord, loose);
     mirrorballCapture_coverTriangle(p, sag, cover);
     // Loops of one turn, since software rasterisers skip loops that nobody enters.
-#if MIRRORBALL_BANDS && MIRRORBALL_CURVED && MIRRORBALL_STRIPS > 1
+#if MIRRORBALL_CURVED && MIRRORBALL_STRIPS > 1
     float widest = 0.25 * (max(max(sag.x, sag.y), sag.z) + mirrorballCapture_guard);
     for (int turns = straight && cover.count > 0 && loose > 8.0 ? 1 : 0; turns > 0; --turns)
         if (mirrorballCapture_coverBand(view, vertex, edge, p, MIRRORBALL_STRETCH * inversesqrt(room), widest, bend,
@@ -250,7 +245,7 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
         mirrorballCapture_boundingPlanes(vertex, edge, planes);
         mirrorballCapture_Sector sector = mirrorballCapture_sectorOf(unit, edge);
         bool covered = false;
-#if MIRRORBALL_BANDS && MIRRORBALL_CURVED && MIRRORBALL_STRIPS > 1
+#if MIRRORBALL_CURVED && MIRRORBALL_STRIPS > 1
         room = 2.0 - 8.0 * sector.radii.y * sector.radii.y;
         if (room > 0.03 && longest < 1.2)
             covered = mirrorballCapture_coverBand(view, vertex, edge, p, MIRRORBALL_STRETCH * inversesqrt(room), 3.0,

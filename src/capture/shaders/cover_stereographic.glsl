@@ -110,13 +110,8 @@ void mirrorballCapture_coverIn(int view, vec3 vertex[3], vec3 edge[3], inout mir
     vec2 texel[3];
     for (int k = 0; k < 3; ++k)
         texel[k] = (p[k] + 1.0) * middle;
-    vec3 sag;
-    float loose = 0.0; // texels that a straight cover wastes along one edge, at most
-    for (int k = 0; k < 3; ++k) {
-        vec2 step = texel[(k + 1) % 3] - texel[(k + 2) % 3];
-        sag[k] = mirrorballCapture_arcSag(inverseRadius[k], chord[k], step);
-        loose = max(loose, sag[k] * length(step));
-    }
+    float loose;
+    vec3 sag = mirrorballCapture_sagsOf(texel, inverseRadius, chord, loose);
     mirrorballCapture_coverTriangle(texel, sag, cover);
     // The layer's corners lie at z = -1/3, and the cap beyond is convex.
     bool beyond = highest < -0.334;
