@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing (Debian 12, as root or with sudo), builds with both compilers and runs every test twice:
-# optimised by g++, and (but for the package's and those on other drivers) by clang++ under AddressSanitizer and
-# UndefinedBehaviorSanitizer. Fails when anything fails.
+# optimised by g++, and (but for the package's, those on other drivers and the look-ups' accuracy) by clang++ under
+# AddressSanitizer and UndefinedBehaviorSanitizer. Fails when anything fails.
 set -eu
 cd "$(dirname "$0")/.."
 . cmake/debian.sh

@@ -1,8 +1,6 @@
-// capture: pass 1 by itself. Draws a scene, seen from a point, into a map and writes one EXR a component;
-// with
+// capture: pass 1 by itself. Draws a scene, seen from a point, into a map and writes one EXR a component; with
 // --reference the same texels are traced with Embree instead.
 #include "capture_options.h"
-#include "command_line.h"
 #include "gl_scene.h"
 #include "map_file.h"
 #include "reference.h"
@@ -178,14 +176,8 @@ void run(const Options& options)
         std::cout << path.string() << '\n';
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+void addOptions(CLI::App& app, Options& options)
 {
-    Options options;
-    CLI::App app{
-        "Draws a scene, seen from a point, into a map of the whole sphere: one EXR file a component."};
-    app.name("capture");
     addCaptureOptions(app, options);
     addVector(app, "--at", options.at, "the probe's centre");
     addVector(app, "--probe-turn", options.turn, "turns the probe about x, then y, then z, in degrees");
@@ -196,10 +188,18 @@ int main(int argc, char** argv)
                      {"normal", View::normal},
                      {"triangle", View::triangle}},
                     "what is written");
-    app.add_option("-o,--output", options.prefix, "writes PREFIX_0.exr and so on")
-        ->required()
-        ->type_name("PREFIX");
+    addRequiredText(app, "-o,--output", options.prefix, "PREFIX", "writes PREFIX_0.exr and so on");
     addInteger(app, "--supersample", options.supersample,
                "k x k samples a texel; colours are averaged, anything else is of one sample");
-    return runProgram(app, argc, argv, [&] { run(options); });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Options options;
+    return runProgram(
+        "capture",
+        "Draws a scene, seen from a point, into a map of the whole sphere: one EXR file a component.", argc,
+        argv, [&](CLI::App& app) { addOptions(app, options); }, [&] { run(options); });
 }

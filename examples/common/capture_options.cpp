@@ -1,7 +1,5 @@
 #include "capture_options.h"
 
-#include "command_line.h"
-
 #include <mirrorball/error.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -23,40 +21,19 @@ std::vector<std::pair<std::string, mirrorball::CaptureMethod>> captureMethods()
 
 void addCaptureOptions(CLI::App& app, CaptureOptions& options)
 {
-    app.add_option("SCENE", options.scene,
-                   "a model file, builtin:garden, builtin:room, builtin:cards or builtin:crowd:N")
-        ->required();
+    addRequiredText(app, "SCENE", options.scene, "TEXT",
+                    "a model file, builtin:garden, builtin:room, builtin:cards or builtin:crowd:N");
     addVector(app, "--offset", options.offset, "moves everything, in double");
     addOptionalVector(app, "--light", options.light, "the point light", "the scene's own");
     addMap(app, options.map);
     addInteger(app, "--size", options.size, "texels across the short side of a component");
     addChoice(app, "--method", options.method, captureMethods(), "how triangles are drawn into the map");
     addNumber(app, "--epsilon", options.epsilon, "texels that the method automatic may be off by");
-    app.add_flag("--near-first", options.nearFirst, "draw from near to far and leave out what is hidden");
+    addFlag(app, "--near-first", options.nearFirst, "draw from near to far and leave out what is hidden");
     addNumber(app, "--far", options.far, "farthest radial distance from the probe");
     addInteger(app, "--frames", options.frames, "how often it is drawn; times are medians");
-    app.add_flag("--reference", options.reference, "trace with Embree instead of drawing");
-    app.add_option("--stats", options.stats, "writes counts and times as JSON")->type_name("FILE");
-}
-
-CLI::Option* addOptionalVector(CLI::App& app, const std::string& name, std::optional<glm::dvec3>& value,
-                               const std::string& description, const std::string& otherwise)
-{
-    return app
-        .add_option_function<std::string>(
-            name, [&value, name](const std::string& text) { value = parseVector(text, name); },
-            description + " (default: " + otherwise + ")")
-        ->type_name("x,y,z");
-}
-
-void refuseOptions(CLI::App& app, const std::vector<std::string>& names)
-{
-    for (const std::string& name : names) {
-        const auto refuse = [name](const std::string&) {
-            throw CLI::ConversionError(name + " is not in this version");
-        };
-        app.add_option_function<std::string>(name, refuse)->group("")->trigger_on_parse();
-    }
+    addFlag(app, "--reference", options.reference, "trace with Embree instead of drawing");
+    addText(app, "--stats", options.stats, "FILE", "writes counts and times as JSON");
 }
 
 void requireAllowed(const CaptureOptions& options)

@@ -1,6 +1,7 @@
 // What the command lines of capture and render have in common: the scene, the map and how it is drawn.
 #pragma once
 
+#include "command_line.h"
 #include "scene.h"
 
 #include <mirrorball/capture/reflection_probe.h>
@@ -11,12 +12,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-// CLI11's header takes long to compile: only what parses includes it.
-namespace CLI {
-class App;
-class Option;
-} // namespace CLI
 
 namespace examples {
 
@@ -40,13 +35,6 @@ struct CaptureOptions
 };
 
 void addCaptureOptions(CLI::App& app, CaptureOptions& options);
-
-// A vector that need not be given; `otherwise` says in --help what holds then.
-CLI::Option* addOptionalVector(CLI::App& app, const std::string& name, std::optional<glm::dvec3>& value,
-                               const std::string& description, const std::string& otherwise);
-
-// Options of later versions: each is refused by name, whatever its value.
-void refuseOptions(CLI::App& app, const std::vector<std::string>& names);
 
 // What drawing a map would refuse, for --reference, which needs no OpenGL. Throws mirrorball::Error,
 // badArgument.

@@ -11,6 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 
 namespace examples {
@@ -30,7 +31,8 @@ Mesh sphereReflector(const std::string& name)
                     "write sphere:1.5");
     }
     if (!std::isfinite(radius) || radius <= 0.0f) {
-        throw Error(ErrorKind::badArgument, "reflector " + name, "the radius must be positive and finite");
+        throw Error(ErrorKind::badArgument, "reflector " + name, "the radius must be positive and finite",
+                    "write sphere:1.5");
     }
     Mesh mesh = meshOf("sphere", 0);
     appendSphere(mesh, glm::vec3(0.0f), radius, 64, 128);
@@ -78,6 +80,11 @@ Mesh loadReflector(const std::string& name)
     }
     if (name == "teapot") {
         return centred(teapot(16)); // 16,256 triangles
+    }
+    std::error_code ignored;
+    if (!std::filesystem::exists(name, ignored)) {
+        throw Error(ErrorKind::notFound, "reflector " + name, "no such shape and no such file",
+                    "give sphere:radius, teapot or a model file");
     }
     return centred(joined(readSceneFile(name)));
 }

@@ -348,10 +348,11 @@ Scene readSceneFile(const std::string& file)
         throw Error(ErrorKind::notFound, asked, found, "give a file or one of the built-in names");
     }
     if (std::filesystem::file_size(file, ignored) == 0) {
-        throw Error(ErrorKind::badFile, asked, "the file is empty");
+        throw Error(ErrorKind::badFile, asked, "the file is empty", "write it again");
     }
     if (isCutOffStep(file)) {
-        throw Error(ErrorKind::badFile, asked, "the file is cut off: its end mark is missing");
+        throw Error(ErrorKind::badFile, asked, "the file is cut off: its end mark is missing",
+                    "write it again");
     }
 
     Assimp::Importer importer;
@@ -365,7 +366,7 @@ Scene readSceneFile(const std::string& file)
     }
     readNode(source, *source.mRootNode, glm::dmat4(1.0), scene);
     if (scene.triangleCount() == 0) {
-        throw Error(ErrorKind::badFile, asked, "there is no triangle in it");
+        throw Error(ErrorKind::badFile, asked, "there is no triangle in it", "give a model with surfaces");
     }
     scene.light = defaultLight(scene);
     return scene;

@@ -16,7 +16,7 @@
 #include <GLFW/glfw3.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <limits>
+#include <optional>
 
 using namespace mirrorball;
 using namespace examples;
@@ -118,17 +118,21 @@ void writePicture(const std::string& file)
 int main(int argc, char** argv)
 {
     std::string file;
-    int frames = -1;
-    CLI::App app{"A mirror ball in a room, in a window that stays open until it is closed."};
-    app.name("hello_probe");
-    app.add_option("--headless", file, "draws one frame and writes it")->type_name("OUT.png");
-    addInteger(app, "--frames", frames, "closes the window after so many frames")
-        ->check(CLI::Range(1, std::numeric_limits<int>::max()))
-        ->default_str("");
-    return runProgram(app, argc, argv, [&] {
-        if (!file.empty() && !file.ends_with(".png"))
-            throw Error(ErrorKind::badArgument, "the output '" + file + "'", "its extension is not .png",
-                        "name it so");
-        file.empty() ? showWindow(frames) : writePicture(file);
-    });
+    std::optional<int> frames;
+    const auto addOptions = [&](CLI::App& app) {
+        addText(app, "--headless", file, "OUT.png", "draws one frame and writes it");
+        addOptionalInteger(app, "--frames", frames, "closes the window after so many frames",
+                           "it stays open");
+    };
+    return runProgram("hello_probe",
+                      "A mirror ball in a room, in a window that stays open until it is closed.", argc, argv,
+                      addOptions, [&] {
+                          if (!file.empty() && !file.ends_with(".png"))
+                              throw Error(ErrorKind::badArgument, "the output '" + file + "'",
+                                          "its extension is not .png", "name it so");
+                          if (frames && *frames < 1)
+                              throw Error(ErrorKind::badArgument, "--frames " + std::to_string(*frames),
+                                          "it is less than 1", "give 1 or more");
+                          file.empty() ? showWindow(frames.value_or(-1)) : writePicture(file);
+                      });
 }

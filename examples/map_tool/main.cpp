@@ -6,6 +6,8 @@
 #include <mirrorball/maps/glsl.h>
 #include <mirrorball/maps/measures.h>
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -31,7 +33,7 @@ struct Options
     bool inDouble = false;
     mirrorball::GlslVersion version = mirrorball::GlslVersion::glsl330;
     std::string prefix = "mirrorball_";
-    int size = 0; // 0: from texels
+    std::optional<int> size; // none: from texels
     double texels = 6 * 256 * 256;
 };
 
@@ -142,7 +144,7 @@ void inverse(const Options& options)
 
 void printMeasures(const mirrorball::MapInfo& map, const Options& options)
 {
-    const int n = options.size > 0 ? options.size : mirrorball::shortSideFromTexels(map.kind, options.texels);
+    const int n = options.size ? *options.size : mirrorball::shortSideFromTexels(map.kind, options.texels);
     const mirrorball::MapMeasures m = mirrorball::mapMeasures(map.kind, n);
     constexpr double degrees = 180 / std::numbers::pi;
     const std::string size =
@@ -163,10 +165,10 @@ void measure(const Options& options)
             printMeasures(map, options);
 }
 
-void checkMeasured(const Options& options, bool sizeGiven)
+void checkMeasured(const Options& options)
 {
-    if (sizeGiven && (options.size < 1 || options.size > largestSide))
-        throw Error(ErrorKind::badArgument, "--size " + std::to_string(options.size), "not allowed",
+    if (options.size && (*options.size < 1 || *options.size > largestSide))
+        throw Error(ErrorKind::badArgument, "--size " + std::to_string(*options.size), "not allowed",
                     "give 1 to " + std::to_string(largestSide));
     if (!(options.texels >= 1 && options.texels <= double(largestSide) * largestSide))
         throw Error(ErrorKind::badArgument, "--texels " + digits(float(options.texels)), "not allowed",
@@ -220,13 +222,12 @@ void addMeasure(CLI::App& app, Options& options)
     for (const mirrorball::MapInfo& map : mirrorball::maps())
         choices.emplace_back(map.name, map.kind);
     examples::addChoice(*verb, "--map", options.measured, choices, "the map");
-    CLI::Option* const size = examples::addInteger(*verb, "--size", options.size,
-                                                   "texels across the short side, instead of --texels");
-    size->default_str("");
+    CLI::Option* const size = examples::addOptionalInteger(*verb, "--size", options.size,
+                                                           "texels across the short side", "from --texels");
     examples::addNumber(*verb, "--texels", options.texels, "texels in all, as near as a whole --size comes")
         ->excludes(size);
-    verb->callback([&options, size] {
-        checkMeasured(options, size->count() > 0);
+    verb->callback([&options] {
+        checkMeasured(options);
         measure(options);
     });
 }
@@ -240,12 +241,8 @@ void refuseConvert(CLI::App& app)
     });
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+void addVerbs(CLI::App& app, Options& options)
 {
-    Options options;
-    CLI::App app("Sphere maps: coordinates, GLSL and measures", "map_tool");
     // Not require_subcommand(1), which would hide the name of an unknown one.
     app.require_subcommand(0, 1);
     app.callback([&app] {
@@ -257,8 +254,18 @@ int main(int argc, char** argv)
     addGlsl(app, options);
     addMeasure(app, options);
     refuseConvert(app);
-    return examples::runProgram(app, argc, argv, [] {
-        if (std::fflush(stdout) != 0 || std::ferror(stdout))
-            throw Error(ErrorKind::unwritable, "standard output", "cannot be written");
-    });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Options options;
+    return examples::runProgram(
+        "map_tool", "Sphere maps: coordinates, GLSL and measures", argc, argv,
+        [&](CLI::App& app) { addVerbs(app, options); },
+        [] {
+            if (std::fflush(stdout) != 0 || std::ferror(stdout))
+                throw Error(ErrorKind::unwritable, "standard output", "cannot be written");
+        });
 }

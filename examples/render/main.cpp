@@ -36,8 +36,8 @@ void run(const render::Options& options)
 
 int main(int argc, char** argv)
 {
-    CLI::App app{"Draws a scene with mirrors in it, in two passes."};
-    app.name("render");
-    const render::CommandLine line(app);
-    return examples::runProgram(app, argc, argv, [&] { run(line.options()); });
+    render::CommandLine line;
+    return examples::runProgram(
+        "render", "Draws a scene with mirrors in it, in two passes.", argc, argv,
+        [&](CLI::App& app) { line.addTo(app); }, [&] { run(line.options()); });
 }

@@ -1,12 +1,12 @@
 #include "options.h"
 
-#include "command_line.h"
 #include "stats.h"
 
 #include <mirrorball/error.h>
 
 #include <mirrorball/io/image.h>
 
+#include <CLI/CLI.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ void requireOutput(const Options& options)
 
 } // namespace
 
-CommandLine::CommandLine(CLI::App& app)
+void CommandLine::addTo(CLI::App& app)
 {
     addCaptureOptions(app, options_);
     addReflectorOptions(app);
@@ -90,13 +90,10 @@ CommandLine::CommandLine(CLI::App& app)
     addChoice<View>(
         app, "--view", options_.view, {{"colour", View::colour}, {"position", View::position}},
         "what is written: the picture, or the world position of what is seen, in the mirrors too");
-    app.add_option_function<std::string>(
-           "--near", [this](const std::string& text) { options_.near = parseNumber(text, "--near"); },
-           "nearest radial distance from the probe (default: 0.9 times the reflector's smallest half extent)")
-        ->type_name("NUMBER");
-    app.add_option("-o,--output", options_.output, "the picture, by its extension a PNG or an EXR")
-        ->required()
-        ->type_name("OUT.png|exr");
+    addOptionalNumber(app, "--near", options_.near, "nearest radial distance from the probe",
+                      "0.9 times the reflector's smallest half extent");
+    addRequiredText(app, "-o,--output", options_.output, "OUT.png|exr",
+                    "the picture, by its extension a PNG or an EXR");
     refuseOptions(app, {"--ior", "--roughness", "--blur"});
 }
 

@@ -40,13 +40,15 @@ struct Options : examples::CaptureOptions
     std::string output;
 };
 
-// Adds the options to `app` and collects them while it parses.
+// Collects the options while they are parsed, and has to stay where it is meanwhile.
 class CommandLine
 {
 public:
-    explicit CommandLine(CLI::App& app);
+    CommandLine() = default;
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
+
+    void addTo(CLI::App& app);
 
     // After parsing.
     Options options() const;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -95,39 +96,8 @@ std::string commandOf(int argc, char** argv)
     return command;
 }
 
-// An option that may be given several times, each time one of the names.
-template <class Value>
-void addList(CLI::App& app, const std::string& name, std::vector<Value>& values,
-             const std::vector<std::pair<std::string, Value>>& known, const std::string& description)
+void addOptions(CLI::App& app, Options& options, std::optional<int>& frames)
 {
-    std::vector<std::string> names;
-    for (const auto& [word, meaning] : known)
-        names.push_back(word);
-    const std::string list = examples::joined(names);
-    app.add_option_function<std::vector<std::string>>(
-           name,
-           [&values, known, name, list](const std::vector<std::string>& words) {
-               for (const std::string& word : words) {
-                   const auto found = std::find_if(known.begin(), known.end(),
-                                                   [&](const auto& each) { return each.first == word; });
-                   if (found == known.end())
-                       throw CLI::ConversionError(name + ": '" + word + "' is unknown; it is one of " + list);
-                   values.push_back(found->second);
-               }
-           },
-           description + ", once for each: " + list)
-        ->default_str("all")
-        ->allow_extra_args(false);
-}
-
-} // namespace
-
-int main(int argc, char** argv)
-{
-    Options options;
-    CLI::App app{"Measures what a map of the surroundings costs and how right it is: every map and method of "
-                 "the library, beside cube maps written by hand."};
-    app.name("benchmark");
     std::vector<std::pair<std::string, std::string>> scenes, methods;
     for (const SceneChoice& scene : sceneChoices())
         scenes.emplace_back(scene.name, scene.name);
@@ -139,25 +109,34 @@ int main(int argc, char** argv)
     std::vector<std::pair<std::string, mirrorball::MapKind>> maps;
     for (const mirrorball::MapInfo& info : mirrorball::maps())
         maps.emplace_back(info.name, info.kind);
-    app.add_flag("--quick", options.quick, "fewer scenes, maps and frames: within two minutes");
     const std::vector<std::pair<std::string, Part>> parts = {
         {"both", Part::both}, {"captures", Part::captures}, {"look-ups", Part::lookUps}};
-    examples::addChoice(app, "--part", options.part, parts, "what is measured");
-    addList(app, "--scene", options.scenes, scenes, "a scene");
-    addList(app, "--map", options.maps, maps, "a map");
-    addList(app, "--method", options.methods, methods, "a method");
-    app.add_option("--size", options.sizes,
-                   "n of the cube map, once for each (default: 256, 64, 128, 512, 1024)")
-        ->allow_extra_args(false);
-    CLI::Option* const frames =
-        examples::addInteger(app, "--frames", options.frames, "measured frames of each contender");
-    frames->default_str("30, 8 where quick");
-    app.add_option("-o,--output", options.folder, "writes README.md, benchmark.csv and plots into it")
-        ->required()
-        ->type_name("DIR");
-    return examples::runProgram(app, argc, argv, [&] {
-        if (frames->count() == 0)
-            options.frames = options.quick ? quickFrames : fullFrames;
-        runAll(options, commandOf(argc, argv));
-    });
+
+    using namespace examples;
+    addFlag(app, "--quick", options.quick, "fewer scenes, maps and frames: within two minutes");
+    addChoice(app, "--part", options.part, parts, "what is measured");
+    addChoices(app, "--scene", options.scenes, scenes, "a scene");
+    addChoices(app, "--map", options.maps, maps, "a map");
+    addChoices(app, "--method", options.methods, methods, "a method");
+    addIntegers(app, "--size", options.sizes, "n of the cube map", "256, 64, 128, 512, 1024");
+    addOptionalInteger(app, "--frames", frames, "measured frames of each contender", "30, 8 where quick");
+    addRequiredText(app, "-o,--output", options.folder, "DIR",
+                    "writes README.md, benchmark.csv and plots into it");
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Options options;
+    std::optional<int> frames;
+    return examples::runProgram(
+        "benchmark",
+        "Measures what a map of the surroundings costs and how right it is: every map and method of the "
+        "library, beside cube maps written by hand.",
+        argc, argv, [&](CLI::App& app) { addOptions(app, options, frames); },
+        [&] {
+            options.frames = frames.value_or(options.quick ? quickFrames : fullFrames);
+            runAll(options, commandOf(argc, argv));
+        });
 }

@@ -242,8 +242,9 @@ void testHello(const Subject& hello)
 {
     const Scratch folder;
     hello.refusesExactly(misused, {"--wobble"});
-    for (const char* const frames : {"few", "0", "-3"})
-        hello.refusesExactly(misused, {"--frames", frames});
+    hello.refusesExactly(misused, {"--frames", "few"});
+    for (const char* const frames : {"0", "-3"})
+        hello.refusesExactly(failed, {"--frames", frames});
     hello.refusesExactly(misused, {"--headless"});
     hello.refusesExactly(failed, {"--headless", folder / "missing/hello.png"});
     hello.refusesExactly(failed, {"--headless", folder / "hello.txt"});

@@ -55,11 +55,10 @@ glm::dvec3 unitRay(const render::Camera& camera, int x, int y)
 
 render::Options renderOptions(const std::vector<std::string>& words)
 {
-    CLI::App app;
-    const render::CommandLine line(app);
-    std::vector<std::string> reversed = {"none.exr", "-o"};
-    reversed.insert(reversed.end(), words.rbegin(), words.rend());
-    app.parse(reversed);
+    render::CommandLine line;
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"-o", "none.exr"});
+    examples::parseWords(all, [&](CLI::App& app) { line.addTo(app); });
     return line.options();
 }
 
