@@ -113,6 +113,17 @@ void writePicture(const std::string& file)
     io::writePng(file, target.image());
 }
 
+void run(const std::string& file, std::optional<int> frames)
+{
+    if (!file.empty() && !file.ends_with(".png"))
+        throw Error(ErrorKind::badArgument, "the output '" + file + "'", "its extension is not .png",
+                    "name it so");
+    if (frames && *frames < 1)
+        throw Error(ErrorKind::badArgument, "--frames " + std::to_string(*frames), "it is less than 1",
+                    "give 1 or more");
+    file.empty() ? showWindow(frames.value_or(-1)) : writePicture(file);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -126,13 +137,5 @@ int main(int argc, char** argv)
     };
     return runProgram("hello_probe",
                       "A mirror ball in a room, in a window that stays open until it is closed.", argc, argv,
-                      addOptions, [&] {
-                          if (!file.empty() && !file.ends_with(".png"))
-                              throw Error(ErrorKind::badArgument, "the output '" + file + "'",
-                                          "its extension is not .png", "name it so");
-                          if (frames && *frames < 1)
-                              throw Error(ErrorKind::badArgument, "--frames " + std::to_string(*frames),
-                                          "it is less than 1", "give 1 or more");
-                          file.empty() ? showWindow(frames.value_or(-1)) : writePicture(file);
-                      });
+                      addOptions, [&] { run(file, frames); });
 }

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,7 @@ namespace {
 // The Embree trace is exact to float: within this of an edge either neighbour may be right.
 constexpr double edgeTolerance = 1e-5; // radians
 constexpr double distanceTolerance = 1e-4;
+constexpr double surfaceTolerance = 1e-5; // relative: a drawn point this near to a triangle lies on it
 constexpr std::size_t mostTexels = std::size_t(1) << 19;
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
@@ -36,7 +38,28 @@ double angleToArc(const glm::dvec3& direction, const glm::dvec3& a, const glm::d
     return std::min(atEnds, std::abs(std::asin(std::clamp(glm::dot(direction, normal) / length, -1.0, 1.0))));
 }
 
-// Triangles by their number over all meshes of a scene.
+double distanceToSegment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b)
+{
+    const glm::dvec3 along = b - a;
+    const double squared = glm::dot(along, along);
+    const double part = squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+    return glm::distance(point, a + part * along);
+}
+
+double distanceToTriangle(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corners)
+{
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    bool isAbove = glm::length(normal) > 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const glm::dvec3 &a = corners[corner], &b = corners[(corner + 1) % 3];
+        least = std::min(least, distanceToSegment(point, a, b));
+        isAbove = isAbove && glm::dot(glm::cross(b - a, point - a), normal) >= 0.0;
+    }
+    return isAbove ? std::abs(glm::dot(point - corners[0], normal)) / glm::length(normal) : least;
+}
+
+// Triangles by their number over all meshes of a scene, as seen from the probe.
 class TriangleTable
 {
 public:
@@ -53,18 +76,29 @@ public:
     {
         if (triangle >= count_)
             return std::numeric_limits<double>::infinity();
+        const std::array<glm::dvec3, 3> corners = cornersOf(triangle);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            least = std::min(least, angleToArc(direction, corners[corner], corners[(corner + 1) % 3]));
+        return least;
+    }
+
+    bool holds(std::size_t triangle, const glm::dvec3& point) const
+    {
+        return triangle < count_ &&
+               distanceToTriangle(point, cornersOf(triangle)) <= surfaceTolerance * glm::length(point);
+    }
+
+private:
+    std::array<glm::dvec3, 3> cornersOf(std::size_t triangle) const
+    {
         const auto after = std::upper_bound(first_.begin(), first_.end(), triangle);
         const auto meshIndex = static_cast<std::size_t>(after - first_.begin()) - 1;
         const examples::Mesh& mesh = scene_.meshes[meshIndex];
         const auto& corners = mesh.triangles[triangle - first_[meshIndex]];
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            least = std::min(least, angleToArc(direction, position(mesh, corners[corner]),
-                                               position(mesh, corners[(corner + 1) % 3])));
-        return least;
+        return {position(mesh, corners[0]), position(mesh, corners[1]), position(mesh, corners[2])};
     }
 
-private:
     glm::dvec3 position(const examples::Mesh& mesh, std::uint32_t vertex) const
     {
         return glm::dvec3(mesh.positions[vertex]) + offset_;
@@ -156,12 +190,13 @@ Errors errorsOf(const MakeContender& make, const std::vector<TrueTexel>& truth, 
         const auto triangle = static_cast<std::size_t>(isDrawn ? triangles.rgba[4 * texel.index] : 0.0f);
         const double distanceError =
             isDrawn && isThere ? std::abs(drawn - texel.distance) / texel.distance : 0.0;
-        const bool isWrong = isDrawn != isThere ||
-                             (isThere && triangle != texel.triangle && distanceError > distanceTolerance);
+        const float* const rgb = &positions.rgba[4 * texel.index];
+        const glm::dvec3 position(rgb[0], rgb[1], rgb[2]);
+        const bool isWrong =
+            isDrawn != isThere || (isThere && distanceError > distanceTolerance &&
+                                   triangle != texel.triangle && !table.holds(texel.triangle, position));
         if (isDrawn) {
-            const float* const position = &positions.rgba[4 * texel.index];
-            const double angle = glm::degrees(
-                angleBetween(texel.unitDirection, glm::dvec3(position[0], position[1], position[2])));
+            const double angle = glm::degrees(angleBetween(texel.unitDirection, position));
             directions.push_back(angle);
             if (isWrong)
                 directionsWhereWrong.push_back(angle);
@@ -176,8 +211,9 @@ Errors errorsOf(const MakeContender& make, const std::vector<TrueTexel>& truth, 
         ++wrong;
         holes += isDrawn ? 0 : 1;
         const double edgeAngle = std::min(isThere ? texel.edgeAngle : std::numeric_limits<double>::infinity(),
-                                          isDrawn ? table.edgeAngle(triangle, texel.unitDirection)
-                                                  : std::numeric_limits<double>::infinity());
+                                          isDrawn && table.holds(triangle, position)
+                                              ? table.edgeAngle(triangle, texel.unitDirection)
+                                              : std::numeric_limits<double>::infinity());
         offEdge += edgeAngle > edgeTolerance ? 1 : 0;
     }
     const auto percent = [&](std::size_t count) {

@@ -35,14 +35,16 @@ struct Spread
 
 // A texel is wrong where drawing and trace differ in what is seen: either sees nothing where the other sees
 // something, or both see different triangles whose distances differ by more than 1e-4 of the true one
-// (nearer than that, they are neighbours across an edge, or lie in each other).
+// (nearer than that, they are neighbours across an edge, or lie in each other). A triangle is told by its number, or
+// by the drawn point lying on the true one: llvmpipe numbers tessellated triangles anew after each 341.
 struct Errors
 {
     std::size_t texels = 0; // judged
     double wrongPercent = 0;
-    double wrongOffEdgePercent = 0; // more than 1e-5 rad from any edge of the drawn and of the true triangle
-    double holePercent = 0;         // nothing drawn where there is something
-    Spread relativeDistance;        // |drawn − true| / true, where the texel is not wrong
+    double wrongOffEdgePercent =
+        0; // more than 1e-5 rad from any edge of the drawn (by its number) and of the true triangle
+    double holePercent = 0;  // nothing drawn where there is something
+    Spread relativeDistance; // |drawn − true| / true, where the texel is not wrong
     // The largest, more than 1e-5 rad from any edge of the true triangle.
     double largestRelativeDistanceOffEdges = 0;
     Spread directionDegrees; // between the texel and the point that is drawn there, wherever something

@@ -3,6 +3,7 @@
 
 #include "support/check.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -138,6 +139,27 @@ void anotherTriangleIsWrongWhereItLiesElsewhere()
     CHECK(errors.wrongOffEdgePercent > 0.9 * errors.wrongPercent);
 }
 
+// A point of the true triangle is of it, whatever number is drawn; beside it, or off its plane, it is not.
+void aTriangleIsToldByItsPointsToo()
+{
+    const auto moved = [](double along, double off) {
+        return [=](const TrueTexel& texel) {
+            if (!std::isfinite(texel.distance))
+                return truthful(texel);
+            const glm::dvec3 centre =
+                texel.triangle == 0 ? glm::dvec3(2, 0.5, -0.5) : glm::dvec3(2, -0.5, 0.5);
+            const glm::dvec3 point =
+                glm::mix(texel.distance * texel.unitDirection, centre, along) * (1.0 + off);
+            return Shown{glm::length(point), 1000, glm::normalize(point)};
+        };
+    };
+    const Errors within = judge().errors(moved(0.1, 0.0));
+    CHECK(within.wrongPercent == 0.0);
+    CHECK(within.relativeDistance.largest > 1e-3);
+    CHECK(judge().errors(moved(0.1, 1e-4)).wrongPercent > 0.0);
+    CHECK(judge().errors(moved(-0.1, 0.0)).wrongOffEdgePercent > 0.0);
+}
+
 // An edge-on triangle is narrower than float resolves: distances at its edges are judged apart.
 void distancesAtEdgesAreJudgedApart()
 {
@@ -178,6 +200,7 @@ int main()
     theTruthHasNoError();
     nothingDrawnIsAllHoles();
     anotherTriangleIsWrongWhereItLiesElsewhere();
+    aTriangleIsToldByItsPointsToo();
     distancesAtEdgesAreJudgedApart();
     distanceAndDirectionAreMeasured();
 }

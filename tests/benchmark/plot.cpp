@@ -47,21 +47,6 @@ std::string_view sceneOf(const LookUpRow& row)
     return row.scene->name;
 }
 
-template <class RowType, std::size_t count>
-std::vector<std::string> namesOf(const std::vector<RowType>& rows, const Measure<RowType> (&measures)[count])
-{
-    std::vector<std::string> names;
-    std::string_view scene;
-    for (const RowType& row : rows) {
-        if (sceneOf(row) == scene)
-            continue;
-        scene = sceneOf(row);
-        for (const Measure<RowType>& measure : measures)
-            names.push_back(std::string(scene) + "_" + measure.name);
-    }
-    return names;
-}
-
 // Rows of a scene stand together.
 template <class RowType>
 std::vector<const RowType*> lastScene(const std::vector<RowType>& rows)
@@ -73,6 +58,35 @@ std::vector<const RowType*> lastScene(const std::vector<RowType>& rows)
     return result;
 }
 
+// `first` is the first of the scene's.
+bool isPlotted(const Measure<Row>& measure, const Row& row, const Row& first)
+{
+    return row.group.cubeN == first.group.cubeN && !row.group.cullBackFaces && row.errors &&
+           (measure.isLogarithmic || row.errors->wrongPercent <= mostWrongPercent);
+}
+
+bool isPlotted(const Measure<LookUpRow>&, const LookUpRow&, const LookUpRow&)
+{
+    return true;
+}
+
+// Of all plots that have a mark.
+template <class RowType, std::size_t count>
+std::vector<std::string> namesOf(const std::vector<RowType>& rows, const Measure<RowType> (&measures)[count])
+{
+    std::vector<std::string> names;
+    for (auto first = rows.begin(); first != rows.end();) {
+        const auto isOfAnother = [&](const RowType& row) { return sceneOf(row) != sceneOf(*first); };
+        const auto after = std::find_if(first, rows.end(), isOfAnother);
+        for (const Measure<RowType>& measure : measures)
+            if (std::any_of(first, after,
+                            [&](const RowType& row) { return isPlotted(measure, row, *first); }))
+                names.push_back(std::string(sceneOf(*first)) + "_" + measure.name);
+        first = after;
+    }
+    return names;
+}
+
 } // namespace
 
 void writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows)
@@ -82,8 +96,7 @@ void writePlots(const std::filesystem::path& folder, const std::vector<Row>& row
     for (const Measure<Row>& measure : captureMeasures) {
         std::vector<PlotPoint> points;
         for (const Row* row : scene)
-            if (row->group.cubeN == first.group.cubeN && !row->group.cullBackFaces && row->errors &&
-                (measure.isLogarithmic || row->errors->wrongPercent <= mostWrongPercent))
+            if (isPlotted(measure, *row, first))
                 points.push_back({row->costRatio(), measure.of(*row), row->entry.methodName(),
                                   row->entry.rival ? std::nullopt : std::optional(row->entry.map),
                                   row->entry.sizing == Sizing::equalTexels});

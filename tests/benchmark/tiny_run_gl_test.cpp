@@ -124,7 +124,7 @@ void emptyTablesAreLeftOut(const std::filesystem::path& folder, const Results& r
                            const Circumstances& circumstances)
 {
     constexpr std::string_view who = "Where we win";
-    CHECK(says(folder / "README.md", who));
+    CHECK(says(folder / "README.md", who) && says(folder / "README.md", "cards_worst_texel.png"));
     Results few;
     for (const Row& row : results.captures)
         if (row.entry.rival || row.entry.methodName() == "perVertex")
@@ -132,6 +132,13 @@ void emptyTablesAreLeftOut(const std::filesystem::path& folder, const Results& r
     writeFiles(folder, few, circumstances);
     CHECK(!says(folder / "README.md", who));
     CHECK(says(folder / "README.md", "perVertex"));
+
+    // Nor a link to the plot of the maps that are right.
+    std::erase_if(few.captures, [](const Row& row) { return row.errors && row.errors->wrongPercent < 10.0; });
+    CHECK(!few.captures.empty());
+    writeFiles(folder, few, circumstances);
+    CHECK(says(folder / "README.md", "cards_wrong_texels.png"));
+    CHECK(!says(folder / "README.md", "cards_worst_texel.png"));
 }
 
 void filesAppear(const std::filesystem::path& folder, const Results& results)
