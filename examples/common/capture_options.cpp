@@ -28,7 +28,7 @@ void addCaptureOptions(CLI::App& app, CaptureOptions& options)
     addMap(app, options.map);
     addInteger(app, "--size", options.size, "texels across the short side of a component");
     addChoice(app, "--method", options.method, captureMethods(), "how triangles are drawn into the map");
-    addNumber(app, "--epsilon", options.epsilon, "texels that the method automatic may be off by");
+    addNumber(app, "--epsilon", options.epsilon, "texels that automatic and tessellated may be off by");
     addFlag(app, "--near-first", options.nearFirst, "draw from near to far and leave out what is hidden");
     addNumber(app, "--far", options.far, "farthest radial distance from the probe");
     addInteger(app, "--frames", options.frames, "how often it is drawn; times are medians");
