@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -33,6 +34,12 @@ std::string spelled(double value)
     return text.str();
 }
 
+// What strtod and strtol would pass over.
+bool startsBlank(const std::string& text)
+{
+    return text.empty() || std::isspace(static_cast<unsigned char>(text[0])) != 0;
+}
+
 glm::dvec3 parseVector(const std::string& text, const std::string& option)
 {
     glm::dvec3 vector;
@@ -51,7 +58,7 @@ int parseInteger(const std::string& text, const std::string& option)
 {
     char* end = nullptr;
     const long number = std::strtol(text.c_str(), &end, 10);
-    if (text.empty() || *end != '\0' || number != static_cast<int>(number))
+    if (startsBlank(text) || *end != '\0' || number != static_cast<int>(number))
         throw CLI::ConversionError(option + ": '" + text + "' is not an integer of 32 bits");
     return static_cast<int>(number);
 }
@@ -237,8 +244,7 @@ double parseNumber(const std::string& text, const std::string& option)
 {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    const bool blank = text.empty() || std::isspace(static_cast<unsigned char>(text[0])) != 0;
-    if (blank || end != text.c_str() + text.size())
+    if (startsBlank(text) || end != text.c_str() + text.size())
         throw CLI::ConversionError(option + ": '" + text + "' is not a number");
     return value;
 }

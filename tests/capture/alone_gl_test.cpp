@@ -1,5 +1,5 @@
-// Exact capture of one triangle at a time, on every map, against its edges' planes in double: what the polygon that covers it
-// leaves out shows, since nothing else is there to show instead.
+// Exact capture of one triangle at a time, on every map, against its edges' planes in double: what the polygon that
+// covers it leaves out shows, since nothing else is there to show instead.
 #include "examples/small_scenes.h"
 #include "support/check.h"
 

@@ -87,6 +87,7 @@ void testNamesAndNumbers(const Subject& subject)
                                   {"--at", ""},
                                   {"--size", "many"},
                                   {"--size", "1.5"},
+                                  {"--size", " 16"},
                                   {"--size", "99999999999"},
                                   {"--far", "1e"},
                                   {"--far", "10m"}});
