@@ -79,6 +79,12 @@ CLI::Option* add(CLI::App& app, const std::string& name, const std::function<voi
     return app.add_option_function<std::string>(name, parse, description)->type_name(type);
 }
 
+// Else an option without its value would take the next option for it.
+std::string requireNoOption(const std::string& text)
+{
+    return text.starts_with('-') ? "it needs a value, and '" + text + "' looks like an option" : "";
+}
+
 std::string withDefault(const std::string& description, const std::string& otherwise)
 {
     return description + " (default: " + otherwise + ")";
@@ -131,7 +137,7 @@ CLI::Option* addSize(CLI::App& app, const std::string& name, glm::ivec2& value,
     const auto parse = [&value, name](const std::string& text) {
         int width = 0, height = 0;
         char after = 0;
-        if (std::sscanf(text.c_str(), "%9dx%9d%c", &width, &height, &after) != 2)
+        if (startsBlank(text) || std::sscanf(text.c_str(), "%9dx%9d%c", &width, &height, &after) != 2)
             throw CLI::ConversionError(name + ": '" + text + "' is not a size WxH");
         value = {width, height};
     };
@@ -201,13 +207,22 @@ CLI::Option* addFlag(CLI::App& app, const std::string& name, bool& value, const 
 CLI::Option* addText(CLI::App& app, const std::string& name, std::string& value, const std::string& type,
                      const std::string& description)
 {
-    return app.add_option(name, value, description)->type_name(type);
+    return app.add_option(name, value, description)->type_name(type)->check(requireNoOption);
 }
 
 CLI::Option* addRequiredText(CLI::App& app, const std::string& name, std::string& value,
                              const std::string& type, const std::string& description)
 {
     return addText(app, name, value, type, description)->required();
+}
+
+CLI::Option* addTexts(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                      const std::string& type, const std::string& description)
+{
+    return app.add_option(name, values, description + ", once for each")
+        ->type_name(type)
+        ->check(requireNoOption)
+        ->allow_extra_args(false);
 }
 
 CLI::Option* addName(CLI::App& app, const std::string& name, const std::vector<std::string>& known,

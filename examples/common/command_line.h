@@ -60,6 +60,9 @@ CLI::Option* addText(CLI::App& app, const std::string& name, std::string& value,
                      const std::string& description);
 CLI::Option* addRequiredText(CLI::App& app, const std::string& name, std::string& value,
                              const std::string& type, const std::string& description);
+// Any texts, the option once for each.
+CLI::Option* addTexts(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                      const std::string& type, const std::string& description);
 
 // An option whose value must be one of the names; known[i].second is stored.
 template <class Value>

@@ -1,137 +1,350 @@
 #include "csv.h"
 
+#include <mirrorball/error.h>
+
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
+#include <charconv>
 #include <functional>
+#include <initializer_list>
 #include <iomanip>
+#include <istream>
+#include <iterator>
 #include <ostream>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace tests::benchmark {
 
 namespace {
 
+constexpr std::string_view eightBit = ", 8-bit formats";
+
 template <class RowType>
 struct Column
 {
     const char* name;
     std::function<std::string(const RowType&)> text;
+    std::function<void(RowType&, const std::string&)> set; // what `text` gave
 };
 
-std::string number(double value)
+// What is wrong with a cell; its file and row are added where they are known.
+struct BadCell
+{
+    std::string what;
+};
+
+std::string spelled(double value)
 {
     std::ostringstream out;
     out << std::setprecision(6) << value;
     return out.str();
 }
 
+std::string spelled(int value)
+{
+    return std::to_string(value);
+}
+
+std::string spelled(std::size_t value)
+{
+    return std::to_string(value);
+}
+
+std::string spelled(bool value)
+{
+    return value ? "1" : "0";
+}
+
+// Texts that hold commas are quoted.
 std::string inQuotes(std::string_view text)
 {
     return "\"" + std::string(text) + "\"";
 }
 
-template <class Value>
-std::string optional(const std::optional<Value>& value)
+std::string spelled(const std::string& text)
 {
-    return value ? number(static_cast<double>(*value)) : "";
+    return inQuotes(text);
 }
 
-Column<Row> error(const char* name, double Errors::*member)
+template <class Value>
+std::string spelled(const std::optional<Value>& value)
 {
-    return {name, [=](const Row& row) { return row.errors ? number((*row.errors).*member) : ""; }};
+    return value ? spelled(*value) : "";
+}
+
+void parse(const std::string& text, double& value)
+{
+    const char* const end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, value);
+    if (problem != std::errc() || stop != end)
+        throw BadCell{"'" + text + "' is not a number"};
+}
+
+// Earlier reports have counts with an exponent.
+template <class Count>
+void parseCount(const std::string& text, Count& value)
+{
+    double number = 0.0;
+    parse(text, number);
+    value = static_cast<Count>(number);
+}
+
+void parse(const std::string& text, int& value)
+{
+    parseCount(text, value);
+}
+
+void parse(const std::string& text, std::size_t& value)
+{
+    parseCount(text, value);
+}
+
+void parse(const std::string& text, bool& value)
+{
+    value = text == "1";
+}
+
+void parse(const std::string& text, std::string& value)
+{
+    value = text;
+}
+
+template <class Value>
+void parse(const std::string& text, std::optional<Value>& value)
+{
+    value.reset();
+    if (!text.empty())
+        parse(text, value.emplace());
+}
+
+// Which of a list has this name.
+template <class List, class NameOf>
+const auto& named(const List& list, const std::string& text, const char* what, NameOf nameOf)
+{
+    const auto found = std::ranges::find_if(list, [&](const auto& each) { return nameOf(each) == text; });
+    if (found == std::end(list))
+        throw BadCell{"'" + text + "' is no " + what + " of the benchmark's"};
+    return *found;
+}
+
+mirrorball::MapKind mapNamed(const std::string& text)
+{
+    return named(mirrorball::maps(), text, "map", [](const mirrorball::MapInfo& map) { return map.name; })
+        .kind;
+}
+
+Sizing sizingNamed(const std::string& text)
+{
+    constexpr Sizing sizings[] = {Sizing::equalTexels, Sizing::equalAngle};
+    return named(sizings, text, "sizing", [](Sizing sizing) { return nameOf(sizing); });
+}
+
+void setMethod(Row& row, const std::string& text)
+{
+    row.group.isRivalCheck = text.ends_with(eightBit);
+    row.entry.formats = row.group.isRivalCheck ? RivalFormats::eightBit : RivalFormats::asTheLibrary;
+    const std::string name =
+        text.substr(0, text.size() - (row.group.isRivalCheck ? eightBit.size() : std::size_t(0)));
+    if (row.entry.rival)
+        row.entry.rival =
+            named(rivals(), name, "rival", [](const RivalInfo& rival) { return rival.name; }).rival;
+    else
+        row.entry.method =
+            &named(libraryMethods(), name, "method", [](const LibraryMethod& method) { return method.name; });
+}
+
+// A cell that `reach`, given a row, refers to.
+template <class RowType, class Reach>
+Column<RowType> cell(const char* name, Reach reach)
+{
+    return {name, [=](const RowType& row) { return spelled(reach(row)); },
+            [=](RowType& row, const std::string& text) { parse(text, reach(row)); }};
+}
+
+// One that follows from others.
+template <class RowType>
+Column<RowType> derived(const char* name, std::function<std::string(const RowType&)> text)
+{
+    return {name, std::move(text), [](RowType&, const std::string&) {}};
+}
+
+// One of a part that a row need not have; `part`, given a row, is it.
+template <class Part, class Reach>
+Column<Row> partCell(const char* name, Part part, Reach reach)
+{
+    return {name, [=](const Row& row) { return part(row) ? spelled(reach(*part(row))) : ""; },
+            [=](Row& row, const std::string& text) {
+                if (!text.empty())
+                    parse(text, reach(part(row) ? *part(row) : part(row).emplace()));
+            }};
+}
+
+template <class Reach>
+Column<Row> error(const char* name, Reach reach)
+{
+    return partCell(
+        name, [](auto& row) -> auto& { return row.errors; }, reach);
 }
 
 Column<Row> error(const char* name, Spread Errors::*spread, double Spread::*member)
 {
-    return {name, [=](const Row& row) { return row.errors ? number((*row.errors).*spread.*member) : ""; }};
+    return error(
+        name, [=](auto& errors) -> auto& { return errors.*spread.*member; });
 }
 
 Column<Row> time(const char* name, Quartiles Timing::*quartiles, double Quartiles::*member)
 {
-    return {name, [=](const Row& row) { return number(row.timing.*quartiles.*member); }};
+    return cell<Row>(
+        name, [=](auto& row) -> auto& { return row.timing.*quartiles.*member; });
+}
+
+Column<Row> gpuTime(const char* name, double Quartiles::*member)
+{
+    return partCell(
+        name, [](auto& row) -> auto& { return row.timing.gpu; },
+        [=](auto& quartiles) -> auto& { return quartiles.*member; });
 }
 
 std::vector<Column<Row>> captureColumns()
 {
     return {
-        {"scene", [](const Row& row) { return inQuotes(row.group.scene->name); }},
-        {"scene_triangles", [](const Row& row) { return std::to_string(row.sceneTriangles); }},
-        {"scene_vertices", [](const Row& row) { return std::to_string(row.sceneVertices); }},
-        {"by", [](const Row& row) { return std::string(row.entry.rival ? "hand" : "mirrorball"); }},
-        {"map", [](const Row& row) { return std::string(mirrorball::mapInfo(row.entry.map).name); }},
-        {"method", [](const Row& row) { return inQuotes(row.entry.methodName()); }},
-        {"sizing", [](const Row& row) { return std::string(nameOf(row.entry.sizing)); }},
-        {"cube_n", [](const Row& row) { return std::to_string(row.group.cubeN); }},
-        {"n", [](const Row& row) { return std::to_string(row.entry.n); }},
-        {"back_faces_culled",
-         [](const Row& row) { return std::string(row.group.cullBackFaces ? "1" : "0"); }},
-        {"texels", [](const Row& row) { return std::to_string(row.measures.texels); }},
-        {"worst_texel_degrees",
-         [](const Row& row) { return number(glm::degrees(row.measures.worstDiagonal)); }},
-        {"frames", [](const Row& row) { return std::to_string(row.timing.frames); }},
+        {"scene", [](const Row& row) { return inQuotes(row.group.scene->name); },
+         [](Row& row, const std::string& text) {
+             row.group.scene =
+                 &named(sceneChoices(), text, "scene", [](const SceneChoice& scene) { return scene.name; });
+         }},
+        cell<Row>(
+            "scene_triangles", [](auto& row) -> auto& { return row.sceneTriangles; }),
+        cell<Row>(
+            "scene_vertices", [](auto& row) -> auto& { return row.sceneVertices; }),
+        {"by", [](const Row& row) { return std::string(row.entry.rival ? "hand" : "mirrorball"); },
+         [](Row& row, const std::string& text) {
+             if (text == "hand")
+                 row.entry.rival.emplace(); // which, the method tells
+         }},
+        {"map", [](const Row& row) { return std::string(mirrorball::mapInfo(row.entry.map).name); },
+         [](Row& row, const std::string& text) { row.entry.map = mapNamed(text); }},
+        {"method", [](const Row& row) { return inQuotes(row.entry.methodName()); }, setMethod},
+        {"sizing", [](const Row& row) { return std::string(nameOf(row.entry.sizing)); },
+         [](Row& row, const std::string& text) { row.entry.sizing = sizingNamed(text); }},
+        cell<Row>(
+            "cube_n", [](auto& row) -> auto& { return row.group.cubeN; }),
+        cell<Row>(
+            "n", [](auto& row) -> auto& { return row.entry.n; }),
+        cell<Row>(
+            "back_faces_culled", [](auto& row) -> auto& { return row.group.cullBackFaces; }),
+        derived<Row>("texels", [](const Row& row) { return std::to_string(row.measures.texels); }),
+        derived<Row>("worst_texel_degrees",
+                     [](const Row& row) { return spelled(glm::degrees(row.measures.worstDiagonal)); }),
+        cell<Row>(
+            "frames", [](auto& row) -> auto& { return row.timing.frames; }),
         time("cpu_ms", &Timing::cpu, &Quartiles::median),
         time("cpu_ms_lower_quartile", &Timing::cpu, &Quartiles::lower),
         time("cpu_ms_upper_quartile", &Timing::cpu, &Quartiles::upper),
-        {"cost_ms_before_rasteriser", [](const Row& row) { return number(row.costBeforeRasteriser.median); }},
+        cell<Row>(
+            "cost_ms_before_rasteriser", [](auto& row) -> auto& { return row.costBeforeRasteriser.median; }),
         time("wall_ms", &Timing::wall, &Quartiles::median),
         time("wall_ms_lower_quartile", &Timing::wall, &Quartiles::lower),
         time("wall_ms_upper_quartile", &Timing::wall, &Quartiles::upper),
-        {"gpu_ms", [](const Row& row) { return row.timing.gpu ? number(row.timing.gpu->median) : ""; }},
-        {"cpu_ratio", [](const Row& row) { return number(row.cpuRatio); }},
-        {"wall_ratio", [](const Row& row) { return number(row.wallRatio); }},
-        {"gpu_ratio", [](const Row& row) { return optional(row.gpuRatio); }},
-        {"cost_ratio_to_best_cube", [](const Row& row) { return number(row.costRatioToBest); }},
-        {"draws", [](const Row& row) { return std::to_string(row.work.sent.draws); }},
-        {"triangles_sent", [](const Row& row) { return std::to_string(row.work.sent.triangles); }},
-        {"vertex_shader_runs", [](const Row& row) { return optional(row.work.vertexShaderRuns); }},
-        {"primitives_clipped", [](const Row& row) { return optional(row.work.primitivesClipped); }},
-        {"fragment_shader_runs", [](const Row& row) { return optional(row.work.fragmentShaderRuns); }},
-        {"texels_judged",
-         [](const Row& row) { return row.errors ? std::to_string(row.errors->texels) : ""; }},
-        error("wrong_texels_percent", &Errors::wrongPercent),
-        error("wrong_texels_off_edges_percent", &Errors::wrongOffEdgePercent),
-        error("holes_percent", &Errors::holePercent),
+        gpuTime("gpu_ms", &Quartiles::median),
+        gpuTime("gpu_ms_lower_quartile", &Quartiles::lower),
+        gpuTime("gpu_ms_upper_quartile", &Quartiles::upper),
+        cell<Row>(
+            "cpu_ratio", [](auto& row) -> auto& { return row.cpuRatio; }),
+        cell<Row>(
+            "wall_ratio", [](auto& row) -> auto& { return row.wallRatio; }),
+        cell<Row>(
+            "gpu_ratio", [](auto& row) -> auto& { return row.gpuRatio; }),
+        cell<Row>(
+            "cost_ratio_to_best_cube", [](auto& row) -> auto& { return row.costRatioToBest; }),
+        cell<Row>(
+            "draws", [](auto& row) -> auto& { return row.work.sent.draws; }),
+        cell<Row>(
+            "triangles_sent", [](auto& row) -> auto& { return row.work.sent.triangles; }),
+        cell<Row>(
+            "vertex_shader_runs", [](auto& row) -> auto& { return row.work.vertexShaderRuns; }),
+        cell<Row>(
+            "primitives_clipped", [](auto& row) -> auto& { return row.work.primitivesClipped; }),
+        cell<Row>(
+            "fragment_shader_runs", [](auto& row) -> auto& { return row.work.fragmentShaderRuns; }),
+        error(
+            "texels_judged", [](auto& errors) -> auto& { return errors.texels; }),
+        error(
+            "wrong_texels_percent", [](auto& errors) -> auto& { return errors.wrongPercent; }),
+        error(
+            "wrong_texels_off_edges_percent",
+            [](auto& errors) -> auto& { return errors.wrongOffEdgePercent; }),
+        error(
+            "holes_percent", [](auto& errors) -> auto& { return errors.holePercent; }),
         error("relative_distance_error_mean", &Errors::relativeDistance, &Spread::mean),
         error("relative_distance_error_p95", &Errors::relativeDistance, &Spread::p95),
         error("relative_distance_error_max", &Errors::relativeDistance, &Spread::largest),
-        error("relative_distance_error_max_off_edges", &Errors::largestRelativeDistanceOffEdges),
+        error(
+            "relative_distance_error_max_off_edges",
+            [](auto& errors) -> auto& { return errors.largestRelativeDistanceOffEdges; }),
         error("direction_error_degrees_mean", &Errors::directionDegrees, &Spread::mean),
         error("direction_error_degrees_p95", &Errors::directionDegrees, &Spread::p95),
         error("direction_error_degrees_max", &Errors::directionDegrees, &Spread::largest),
-        error("direction_error_degrees_mean_where_wrong", &Errors::directionDegreesWhereWrong),
+        error(
+            "direction_error_degrees_mean_where_wrong",
+            [](auto& errors) -> auto& { return errors.directionDegreesWhereWrong; }),
+        cell<Row>(
+            "run", [](auto& row) -> auto& { return row.run; }),
+        cell<Row>(
+            "errors_run", [](auto& row) -> auto& { return row.errorsRun; }),
     };
 }
 
 Column<LookUpRow> milliseconds(const char* name, Quartiles LookUpRow::*quartiles, double Quartiles::*member)
 {
-    return {name, [=](const LookUpRow& row) { return number(row.*quartiles.*member); }};
+    return cell<LookUpRow>(
+        name, [=](auto& row) -> auto& { return row.*quartiles.*member; });
 }
 
 Column<LookUpRow> pictureError(const char* name, double ParallaxErrors::*member)
 {
-    return {name, [=](const LookUpRow& row) { return number(row.errors.*member); }};
+    return cell<LookUpRow>(
+        name, [=](auto& row) -> auto& { return row.errors.*member; });
 }
 
 std::vector<Column<LookUpRow>> lookUpColumns()
 {
     return {
-        {"scene", [](const LookUpRow& row) { return inQuotes(row.scene->name); }},
-        {"by", [](const LookUpRow& row) { return std::string(row.entry.isByHand ? "hand" : "mirrorball"); }},
-        {"map", [](const LookUpRow& row) { return std::string(mirrorball::mapInfo(row.entry.map).name); }},
-        {"look_up", [](const LookUpRow& row) { return std::string(nameOf(row.entry.lookup)); }},
-        {"cube_n", [](const LookUpRow& row) { return std::to_string(row.cubeN); }},
-        {"n", [](const LookUpRow& row) { return std::to_string(row.entry.n); }},
-        {"frames", [](const LookUpRow& row) { return std::to_string(row.frames); }},
+        {"scene", [](const LookUpRow& row) { return inQuotes(row.scene->name); },
+         [](LookUpRow& row, const std::string& text) {
+             row.scene = &named(mirrorScenes(), text, "scene with a mirror",
+                                [](const MirrorScene& scene) { return scene.name; });
+         }},
+        {"by", [](const LookUpRow& row) { return std::string(row.entry.isByHand ? "hand" : "mirrorball"); },
+         [](LookUpRow& row, const std::string& text) { row.entry.isByHand = text == "hand"; }},
+        {"map", [](const LookUpRow& row) { return std::string(mirrorball::mapInfo(row.entry.map).name); },
+         [](LookUpRow& row, const std::string& text) { row.entry.map = mapNamed(text); }},
+        {"look_up", [](const LookUpRow& row) { return std::string(nameOf(row.entry.lookup)); },
+         [](LookUpRow& row, const std::string& text) {
+             row.entry.lookup =
+                 named(lookups, text, "look-up", [](const NamedLookup& each) { return each.name; }).lookup;
+         }},
+        cell<LookUpRow>(
+            "cube_n", [](auto& row) -> auto& { return row.cubeN; }),
+        cell<LookUpRow>(
+            "n", [](auto& row) -> auto& { return row.entry.n; }),
+        cell<LookUpRow>(
+            "frames", [](auto& row) -> auto& { return row.frames; }),
         milliseconds("pass_1_ms", &LookUpRow::capture, &Quartiles::median),
         milliseconds("reflector_ms", &LookUpRow::mirror, &Quartiles::median),
         milliseconds("both_ms", &LookUpRow::both, &Quartiles::median),
         milliseconds("both_ms_lower_quartile", &LookUpRow::both, &Quartiles::lower),
         milliseconds("both_ms_upper_quartile", &LookUpRow::both, &Quartiles::upper),
-        {"ratio", [](const LookUpRow& row) { return number(row.ratio); }},
+        cell<LookUpRow>(
+            "ratio", [](auto& row) -> auto& { return row.ratio; }),
         milliseconds("frame_wall_ms", &LookUpRow::frameWall, &Quartiles::median),
-        {"frames_per_second", [](const LookUpRow& row) { return number(row.framesPerSecond()); }},
-        {"pixels_judged", [](const LookUpRow& row) { return std::to_string(row.errors.pixels); }},
+        derived<LookUpRow>("frames_per_second",
+                           [](const LookUpRow& row) { return spelled(row.framesPerSecond()); }),
+        cell<LookUpRow>(
+            "pixels_judged", [](auto& row) -> auto& { return row.errors.pixels; }),
         pictureError("angle_degrees_mean", &ParallaxErrors::mean),
         pictureError("angle_degrees_p95", &ParallaxErrors::p95),
         pictureError("angle_degrees_max", &ParallaxErrors::max),
@@ -139,6 +352,8 @@ std::vector<Column<LookUpRow>> lookUpColumns()
         pictureError("wrong_surface_percent_grazing", &ParallaxErrors::grazingWrongPercent),
         pictureError("psnr_db", &ParallaxErrors::psnr),
         pictureError("flip", &ParallaxErrors::flip),
+        cell<LookUpRow>(
+            "run", [](auto& row) -> auto& { return row.run; }),
     };
 }
 
@@ -155,6 +370,60 @@ void write(std::ostream& out, const std::vector<Column<RowType>>& columns, const
     }
 }
 
+// A quote changes whether a comma ends the cell.
+std::vector<std::string> cellsOf(const std::string& line)
+{
+    std::vector<std::string> cells(1);
+    bool isQuoted = false;
+    for (const char letter : line)
+        if (letter == '"')
+            isQuoted = !isQuoted;
+        else if (letter == ',' && !isQuoted)
+            cells.emplace_back();
+        else
+            cells.back() += letter;
+    return cells;
+}
+
+template <class RowType>
+std::vector<RowType> read(std::istream& in, const std::string& name,
+                          const std::vector<Column<RowType>>& columns,
+                          std::initializer_list<const char*> needed)
+{
+    const auto fail = [&](std::size_t line, const std::string& what) {
+        throw mirrorball::Error(mirrorball::ErrorKind::badFile, name + ", line " + std::to_string(line), what,
+                                "name a report that this program wrote");
+    };
+    std::string line;
+    std::getline(in, line);
+    const std::vector<std::string> names = cellsOf(line);
+    for (const char* const column : needed)
+        if (!std::ranges::count(names, column))
+            fail(1, std::string("there is no column '") + column + "'");
+    std::vector<RowType> rows;
+    for (std::size_t number = 2; std::getline(in, line); ++number) {
+        const std::vector<std::string> cells = cellsOf(line);
+        if (cells.size() != names.size())
+            fail(number, "it has " + std::to_string(cells.size()) + " cells where " +
+                             std::to_string(names.size()) + " columns have names");
+        RowType row{};
+        for (const Column<RowType>& column : columns) {
+            const auto found = std::ranges::find(names, column.name);
+            if (found == names.end())
+                continue;
+            try {
+                column.set(row, cells[static_cast<std::size_t>(found - names.begin())]);
+            } catch (const BadCell& bad) {
+                fail(number, std::string(column.name) + ": " + bad.what);
+            }
+        }
+        if (row.entry.n < 1)
+            fail(number, "n is less than 1");
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 } // namespace
 
 void writeCsv(std::ostream& out, const std::vector<Row>& rows)
@@ -165,6 +434,23 @@ void writeCsv(std::ostream& out, const std::vector<Row>& rows)
 void writeCsv(std::ostream& out, const std::vector<LookUpRow>& rows)
 {
     write(out, lookUpColumns(), rows);
+}
+
+std::vector<Row> readCaptures(std::istream& in, const std::string& name)
+{
+    std::vector<Row> rows =
+        read(in, name, captureColumns(), {"scene", "by", "map", "method", "sizing", "cube_n", "n"});
+    for (Row& row : rows) {
+        row.measures = measuresOf(row.entry.map, row.entry.n);
+        const bool isOwn = row.group.isRivalCheck && row.sceneVertices == 3 * row.sceneTriangles;
+        row.group.vertices = isOwn ? Vertices::own : Vertices::shared;
+    }
+    return rows;
+}
+
+std::vector<LookUpRow> readLookUps(std::istream& in, const std::string& name)
+{
+    return read(in, name, lookUpColumns(), {"scene", "by", "map", "look_up", "cube_n", "n"});
 }
 
 } // namespace tests::benchmark

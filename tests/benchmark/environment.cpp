@@ -8,25 +8,7 @@
 
 namespace tests::benchmark {
 
-std::string processor()
-{
-    std::string model = "unknown processor";
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name")) {
-            model = line.substr(line.find(':') + 2);
-            break;
-        }
-    return std::to_string(std::thread::hardware_concurrency()) + " x " + model;
-}
-
-std::string today()
-{
-    const std::time_t now = std::time(nullptr);
-    std::array<char, 16> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%d", std::gmtime(&now));
-    return text.data();
-}
+namespace {
 
 std::string revision()
 {
@@ -39,6 +21,28 @@ std::string revision()
     pclose(git);
     const std::string line = hasLine ? text.data() : "";
     return line.empty() ? "unknown" : line.substr(0, line.find('\n'));
+}
+
+} // namespace
+
+std::string processor()
+{
+    std::string model = "unknown processor";
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name")) {
+            model = line.substr(line.find(':') + 2);
+            break;
+        }
+    return std::to_string(std::thread::hardware_concurrency()) + " x " + model;
+}
+
+std::string runName()
+{
+    const std::time_t now = std::time(nullptr);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", std::gmtime(&now));
+    return std::string(text.data()) + ", revision " + revision();
 }
 
 } // namespace tests::benchmark

@@ -6,7 +6,9 @@
 namespace tests::benchmark {
 
 std::string processor(); // "2 x AMD EPYC": the cores that the program may use, and their model
-std::string today();     // "2024-05-31", UTC
-std::string revision();  // of the source tree, by git; "unknown" without it
+
+// What a run that begins now is called: "2024-05-31 09:45, revision 5eb984c", in UTC; the source tree's by git, or
+// "unknown".
+std::string runName();
 
 } // namespace tests::benchmark

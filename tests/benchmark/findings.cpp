@@ -22,11 +22,12 @@ std::vector<Rows> groupsOf(const std::vector<Row>& rows)
     return groups;
 }
 
+// By the ratio, which rows of other runs have to their own cubes.
 const Row* cheapest(const Rows& rows, const std::function<bool(const Row&)>& counts)
 {
     const Row* best = nullptr;
     for (const Row* row : rows)
-        if (counts(*row) && (best == nullptr || row->cost() < best->cost()))
+        if (counts(*row) && (best == nullptr || row->costRatioToBest < best->costRatioToBest))
             best = row;
     return best;
 }
@@ -70,7 +71,7 @@ std::optional<double> ratioToBest(const Row* row)
 
 std::optional<double> quotient(const Row* row, const Row* to)
 {
-    if (row == nullptr || to == nullptr)
+    if (row == nullptr || to == nullptr || row->run != to->run)
         return std::nullopt;
     return row->cost() / to->cost();
 }

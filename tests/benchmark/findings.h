@@ -36,7 +36,7 @@ struct AimInfo
 inline constexpr std::size_t aimCount = 7;
 std::span<const AimInfo, aimCount> aimInfos();
 
-// What a scene has of them, at n = 256 or the first size that was run; empty where it was not measured. Scenes with
+// What a scene has of them, at n = 256 or the smallest size that was run; empty where it was not measured. Scenes with
 // none are left out.
 struct Aims
 {

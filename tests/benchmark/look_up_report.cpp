@@ -10,18 +10,7 @@ namespace tests::benchmark {
 
 namespace {
 
-using SceneRows = std::vector<const LookUpRow*>;
-
-std::vector<SceneRows> scenesOf(const std::vector<LookUpRow>& rows)
-{
-    std::vector<SceneRows> scenes;
-    for (const LookUpRow& row : rows) {
-        if (scenes.empty() || scenes.back().front()->scene != row.scene)
-            scenes.emplace_back();
-        scenes.back().push_back(&row);
-    }
-    return scenes;
-}
+using SceneRows = std::span<const LookUpRow>;
 
 std::string_view byWhom(const LookUpRow& row)
 {
@@ -35,7 +24,7 @@ std::string errorCells(const ParallaxErrors& errors)
            format("%.4f", errors.flip) + " |\n";
 }
 
-void writeFront(std::ostream& out, const SceneRows& scene)
+void writeFront(std::ostream& out, SceneRows scene)
 {
     for (const LookUpRow* row : paretoFront(scene))
         out << "| " << row->scene->name << " | " << byWhom(*row) << " | "
@@ -43,29 +32,31 @@ void writeFront(std::ostream& out, const SceneRows& scene)
             << row->entry.n << " | " << format("%.2f", row->ratio) << " | " << errorCells(row->errors);
 }
 
-void writeTable(std::ostream& out, const SceneRows& scene)
+void writeTable(std::ostream& out, SceneRows scene)
 {
-    out << "\n### A ball in " << scene.front()->scene->name << "\n\n| | map | look-up | n | pass 1, "
+    out << "\n### A ball in " << sceneOf(scene.front()) << "\n\n| | map | look-up | n | pass 1, "
         << costName() << " ms | ball, " << costName()
         << " ms | both (quartiles) | ratio | frames a "
            "second | mean angle ° | p95 ° | wrong % | PSNR dB | FLIP |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-    for (const LookUpRow* row : scene)
-        out << "| " << byWhom(*row) << " | " << mirrorball::mapInfo(row->entry.map).name << " | "
-            << nameOf(row->entry.lookup) << " | " << row->entry.n << " | "
-            << milliseconds(row->capture.median) << " | " << milliseconds(row->mirror.median) << " | "
-            << timesOf(row->both) << " | **" << format("%.2f", row->ratio) << "** | "
-            << format("%.1f", row->framesPerSecond()) << " | " << errorCells(row->errors);
+    for (const LookUpRow& row : scene)
+        out << "| " << byWhom(row) << " | " << mirrorball::mapInfo(row.entry.map).name << " | "
+            << nameOf(row.entry.lookup) << " | " << row.entry.n << " | " << milliseconds(row.capture.median)
+            << " | " << milliseconds(row.mirror.median) << " | " << timesOf(row.both) << " | **"
+            << format("%.2f", row.ratio) << "** | " << format("%.1f", row.framesPerSecond()) << " | "
+            << errorCells(row.errors);
 }
 
 } // namespace
 
-std::vector<const LookUpRow*> paretoFront(const std::vector<const LookUpRow*>& rows)
+std::vector<const LookUpRow*> paretoFront(std::span<const LookUpRow> scene)
 {
-    SceneRows sorted = rows;
+    std::vector<const LookUpRow*> sorted;
+    for (const LookUpRow& row : scene)
+        sorted.push_back(&row);
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const LookUpRow* a, const LookUpRow* b) { return a->ratio < b->ratio; });
-    SceneRows front;
+    std::vector<const LookUpRow*> front;
     double least = std::numeric_limits<double>::infinity();
     for (const LookUpRow* row : sorted)
         if (row->errors.mean < least) {
@@ -77,7 +68,7 @@ std::vector<const LookUpRow*> paretoFront(const std::vector<const LookUpRow*>& r
 
 void writeLookUps(std::ostream& out, const std::vector<LookUpRow>& rows)
 {
-    const std::vector<SceneRows> scenes = scenesOf(rows);
+    const std::vector<SceneRows> scenes = byScene(rows);
     out << "## Look-ups: both passes against the picture\n\nA ball of radius 0.5 at 1280 × 720. Costs are "
         << costName()
         << " times of pass 1 and of the ball's pixels together, ratios to the culled six-pass cube by hand "
@@ -92,9 +83,9 @@ void writeLookUps(std::ostream& out, const std::vector<LookUpRow>& rows)
         << costName()
         << " time | mean angle ° | p95 ° | wrong % | PSNR dB | FLIP |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|\n";
-    for (const SceneRows& scene : scenes)
+    for (const SceneRows scene : scenes)
         writeFront(out, scene);
-    for (const SceneRows& scene : scenes)
+    for (const SceneRows scene : scenes)
         writeTable(out, scene);
     out << '\n';
 }

@@ -90,7 +90,8 @@ double stepsOf(const std::vector<LookUpGroup>& plan, int frames)
     return steps;
 }
 
-std::vector<LookUpRow> runLookUps(const std::vector<LookUpGroup>& plan, int frames, Progress& progress,
+std::vector<LookUpRow> runLookUps(const std::vector<LookUpGroup>& plan, int frames, const std::string& name,
+                                  Progress& progress,
                                   const std::function<void(const std::vector<LookUpRow>&)>& afterGroup)
 {
     CapturePrograms programs;
@@ -103,6 +104,8 @@ std::vector<LookUpRow> runLookUps(const std::vector<LookUpGroup>& plan, int fram
             stage = std::make_unique<MirrorStage>(*group.scene, programs);
         }
         runGroup(group, frames, *stage, progress, rows);
+        for (LookUpRow& row : rows)
+            row.run = name;
         afterGroup(rows);
     }
     return rows;

@@ -21,12 +21,14 @@ struct LookUpRow
     std::size_t frames = 0; // measured
     double ratio = 0;       // both, over that of the group's first
     ParallaxErrors errors{};
+    std::string run = {}; // as a Row's
 
     double framesPerSecond() const { return 1e3 / frameWall.median; }
 };
 
-// `afterGroup` is called with all rows so far.
-std::vector<LookUpRow> runLookUps(const std::vector<LookUpGroup>& plan, int frames, Progress& progress,
+// `name` is what the rows call the run. `afterGroup` is called with all rows so far.
+std::vector<LookUpRow> runLookUps(const std::vector<LookUpGroup>& plan, int frames, const std::string& name,
+                                  Progress& progress,
                                   const std::function<void(const std::vector<LookUpRow>&)>& afterGroup);
 
 // The steps that runLookUps() will report for a plan.

@@ -4,15 +4,19 @@
 #include "findings.h"
 #include "freed_memory.h"
 #include "look_up_run.h"
+#include "merge.h"
 #include "mirror_contender.h"
 #include "output.h"
 #include "plan.h"
 #include "run.h"
 
+#include "support/driver.h"
+
 #include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -36,6 +40,9 @@ void requireAllowed(const Options& options)
     if (options.frames < 1)
         throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--frames", "it is less than 1",
                                 "give 1 or more");
+    if ((options.part == Part::errors || options.part == Part::nothing) && options.from.empty())
+        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--part",
+                                "there are no rows without a report that brings them", "name it with --from");
 }
 
 void printChecks(const std::vector<Row>& rows)
@@ -47,30 +54,65 @@ void printChecks(const std::vector<Row>& rows)
                   << (check.isKept() ? ": kept\n" : ": NOT KEPT\n");
 }
 
-void measureAll(const Options& options, Circumstances circumstances)
+// Their ratios are to cubes that were drawn by a renderer of the same kind.
+void requireSameKind(const std::vector<Row>& earlier)
 {
-    circumstances.revision = revision();
+    const bool isSoftware = tests::isSoftwareRasteriser();
+    if (std::ranges::any_of(earlier,
+                            [=](const Row& row) { return row.timing.gpu.has_value() == isSoftware; }))
+        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--from",
+                                isSoftware ? "its times are a GPU's, and this renderer is software"
+                                           : "its times are of software, and this renderer is a GPU",
+                                "join reports of one renderer");
+}
+
+bool isMeasured(Part part, const Options& options)
+{
+    return options.part == Part::both || options.part == part;
+}
+
+using WriteReport = std::function<void(const Results& now)>;
+
+Results measured(const Options& options, Circumstances& circumstances, const WriteReport& write)
+{
     std::vector<Group> plan;
     std::vector<LookUpGroup> lookUpPlan;
-    if (options.part != Part::lookUps)
+    if (isMeasured(Part::captures, options))
         plan = makePlan(options, circumstances.missingScenes);
-    if (options.part != Part::captures)
+    if (isMeasured(Part::lookUps, options))
         lookUpPlan = makeLookUpPlan(options, circumstances.missingScenes);
     if (plan.empty() && lookUpPlan.empty())
         throw mirrorball::Error(mirrorball::ErrorKind::notFound, "the scenes of a benchmark",
                                 "none of their files is there", "install assimp-testmodels and glmark2-data");
-    Results results;
+    Results now;
     Progress progress(stepsOf(plan, options.frames) + stepsOf(lookUpPlan, options.frames));
-    results.captures = run(plan, options.frames, progress, [&](const std::vector<Row>& rows) {
-        writeFiles(options.folder, {rows, {}}, circumstances);
+    now.captures = run(plan, options.frames, circumstances.run, progress, [&](const std::vector<Row>& rows) {
+        write({rows, {}});
     });
-    results.lookUps =
-        runLookUps(lookUpPlan, options.frames, progress, [&](const std::vector<LookUpRow>& rows) {
-            writeFiles(options.folder, {results.captures, rows}, circumstances);
-        });
+    now.lookUps = runLookUps(lookUpPlan, options.frames, circumstances.run, progress,
+                             [&](const std::vector<LookUpRow>& rows) {
+                                 write({now.captures, rows});
+                             });
+    return now;
+}
+
+void report(const Options& options, Circumstances circumstances)
+{
+    Results earlier = readReports(options.from);
+    requireSameKind(earlier.captures);
+    const auto write = [&](const Results& now) {
+        writeFiles(options.folder, merged(earlier, now), circumstances);
+    };
+    Results now;
+    if (options.part == Part::errors) {
+        Progress progress(judgeSteps(earlier.captures, options));
+        judge(earlier.captures, options, circumstances.run, progress, [&] { write(now); });
+    } else if (options.part != Part::nothing) {
+        now = measured(options, circumstances, write);
+    }
     circumstances.isComplete = true;
-    writeFiles(options.folder, results, circumstances);
-    printChecks(results.captures);
+    write(now);
+    printChecks(now.captures);
 }
 
 void runAll(const Options& options, const std::string& command)
@@ -79,21 +121,26 @@ void runAll(const Options& options, const std::string& command)
     makeFolder(options.folder);
     keepFreedMemory();
     const mirrorball::headless::Context context;
-    measureAll(options, {context.description(), command, options.frames, {}});
+    report(options, {context.description(), command, options.frames, {}, false, runName()});
     std::cout << options.folder << "/README.md\n";
 }
 
-// As it was called, without the folder.
+// As it was called, without the folders' names.
 std::string commandOf(int argc, char** argv)
 {
-    std::string command = "benchmark";
+    std::string command = "benchmark", from;
     for (int index = 1; index < argc; ++index) {
         const std::string word = argv[index];
-        const bool isFolder = word.starts_with("-o") || word.starts_with("--output");
-        index += word == "-o" || word == "--output" ? 1 : 0;
-        command += isFolder ? "" : " " + word;
+        if (word.starts_with("-o") || word.starts_with("--output")) {
+            index += word == "-o" || word == "--output" ? 1 : 0;
+        } else if (word.starts_with("--from")) {
+            index += word == "--from" ? 1 : 0;
+            from = " --from DIR…";
+        } else {
+            command += " " + word;
+        }
     }
-    return command;
+    return command + from;
 }
 
 void addOptions(CLI::App& app, Options& options, std::optional<int>& frames)
@@ -109,8 +156,11 @@ void addOptions(CLI::App& app, Options& options, std::optional<int>& frames)
     std::vector<std::pair<std::string, mirrorball::MapKind>> maps;
     for (const mirrorball::MapInfo& info : mirrorball::maps())
         maps.emplace_back(info.name, info.kind);
-    const std::vector<std::pair<std::string, Part>> parts = {
-        {"both", Part::both}, {"captures", Part::captures}, {"look-ups", Part::lookUps}};
+    const std::vector<std::pair<std::string, Part>> parts = {{"both", Part::both},
+                                                             {"captures", Part::captures},
+                                                             {"look-ups", Part::lookUps},
+                                                             {"errors", Part::errors},
+                                                             {"nothing", Part::nothing}};
 
     using namespace examples;
     addFlag(app, "--quick", options.quick, "fewer scenes, maps and frames: within two minutes");
@@ -120,6 +170,8 @@ void addOptions(CLI::App& app, Options& options, std::optional<int>& frames)
     addChoices(app, "--method", options.methods, methods, "a method");
     addIntegers(app, "--size", options.sizes, "n of the cube map", "256, 64, 128, 512, 1024");
     addOptionalInteger(app, "--frames", frames, "measured frames of each contender", "30, 8 where quick");
+    addTexts(app, "--from", options.from, "DIR",
+             "an earlier report whose rows this one takes over, but for what it measures itself");
     addRequiredText(app, "-o,--output", options.folder, "DIR",
                     "writes README.md, benchmark.csv and plots into it");
 }

@@ -43,10 +43,10 @@ void writeFiles(const std::filesystem::path& folder, const Results& results,
         writeFile(folder / "benchmark.csv", [&](std::ostream& out) { writeCsv(out, results.captures); });
     if (!results.lookUps.empty())
         writeFile(folder / "look_ups.csv", [&](std::ostream& out) { writeCsv(out, results.lookUps); });
-    if (!results.lookUps.empty())
-        writePlots(folder, results.lookUps);
-    else if (!results.captures.empty())
-        writePlots(folder, results.captures);
+    writePlots(folder, results.captures);
+    writePlots(folder, results.lookUps);
+    for (const std::span<const Row> scene : byScene(results.captures))
+        writeFile(folder / pageOf(scene), [&](std::ostream& out) { writeScene(out, scene); });
     writeFile(folder / "README.md", [&](std::ostream& out) { writeReport(out, results, circumstances); });
 }
 

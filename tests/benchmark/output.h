@@ -1,4 +1,4 @@
-// The files of a run: benchmark.csv, look_ups.csv, README.md and the plots.
+// The files of a run: benchmark.csv, look_ups.csv, README.md, a page of tables for each scene, and the plots.
 #pragma once
 
 #include "results.h"
@@ -10,8 +10,8 @@ namespace tests::benchmark {
 // Throws mirrorball::Error, unwritable.
 void makeFolder(const std::filesystem::path& folder);
 
-// Tables and summary of all that was measured, and the plots of the scene that was measured last: called after every
-// group, so that a run that is cut off leaves a whole report of what it did.
+// Summary, tables and plots of all that was measured: called after every group, so that a run that is cut off leaves a
+// whole report of what it did.
 void writeFiles(const std::filesystem::path& folder, const Results& results,
                 const Circumstances& circumstances);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -46,11 +45,6 @@ bool isSmall(const SceneChoice& scene)
 bool isPiecewiseLinear(MapKind map)
 {
     return map == MapKind::cube || map == MapKind::octahedral;
-}
-
-bool isModel(const SceneChoice& scene)
-{
-    return !scene.source.starts_with("builtin:");
 }
 
 // What is left out, so that a run ends within reach: methods of the least interest where they were measured
@@ -101,11 +95,6 @@ bool isWanted(const SceneChoice& scene, const Options& options)
     return scene.quick || !options.quick;
 }
 
-bool isThere(const SceneChoice& scene)
-{
-    return !isModel(scene) || std::filesystem::exists(scene.source);
-}
-
 std::vector<MapKind> mapsAt(int cubeN, bool cullBackFaces, const Options& options)
 {
     if (!options.maps.empty())
@@ -124,6 +113,7 @@ std::vector<int> sizesOf(const SceneChoice& scene, const Options& options)
 {
     if (!options.sizes.empty()) {
         std::vector<int> sizes = options.sizes; // the report's aims are those of the first
+        std::ranges::sort(sizes);
         std::stable_partition(sizes.begin(), sizes.end(), [](int n) { return n == mainN; });
         return sizes;
     }

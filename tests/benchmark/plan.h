@@ -51,7 +51,8 @@ struct Group
 };
 bool isSameGroup(const Group& a, const Group& b); // but for their entries
 
-enum class Part { both, captures, lookUps };
+// errors: those of pass 1, of rows that earlier reports bring; nothing: only these.
+enum class Part { both, captures, lookUps, errors, nothing };
 
 struct Options
 {
@@ -60,7 +61,8 @@ struct Options
     int frames = 30;
     std::vector<std::string> scenes, methods;
     std::vector<mirrorball::MapKind> maps;
-    std::vector<int> sizes; // the cube's n
+    std::vector<int> sizes;        // the cube's n
+    std::vector<std::string> from; // folders of earlier reports
     std::string folder;
 };
 

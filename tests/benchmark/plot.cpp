@@ -37,27 +37,6 @@ const Measure<LookUpRow> lookUpMeasures[] = {
     {"flip", "FLIP of the reflector's pixels", true, [](const LookUpRow& row) { return row.errors.flip; }},
 };
 
-std::string_view sceneOf(const Row& row)
-{
-    return row.group.scene->name;
-}
-
-std::string_view sceneOf(const LookUpRow& row)
-{
-    return row.scene->name;
-}
-
-// Rows of a scene stand together.
-template <class RowType>
-std::vector<const RowType*> lastScene(const std::vector<RowType>& rows)
-{
-    std::vector<const RowType*> result;
-    for (const RowType& row : rows)
-        if (sceneOf(row) == sceneOf(rows.back()))
-            result.push_back(&row);
-    return result;
-}
-
 // `first` is the first of the scene's.
 bool isPlotted(const Measure<Row>& measure, const Row& row, const Row& first)
 {
@@ -70,36 +49,27 @@ bool isPlotted(const Measure<LookUpRow>&, const LookUpRow&, const LookUpRow&)
     return true;
 }
 
-// Of all plots that have a mark.
 template <class RowType, std::size_t count>
-std::vector<std::string> namesOf(const std::vector<RowType>& rows, const Measure<RowType> (&measures)[count])
+std::vector<std::string> namesOf(std::span<const RowType> scene, const Measure<RowType> (&measures)[count])
 {
     std::vector<std::string> names;
-    for (auto first = rows.begin(); first != rows.end();) {
-        const auto isOfAnother = [&](const RowType& row) { return sceneOf(row) != sceneOf(*first); };
-        const auto after = std::find_if(first, rows.end(), isOfAnother);
-        for (const Measure<RowType>& measure : measures)
-            if (std::any_of(first, after,
-                            [&](const RowType& row) { return isPlotted(measure, row, *first); }))
-                names.push_back(std::string(sceneOf(*first)) + "_" + measure.name);
-        first = after;
-    }
+    for (const Measure<RowType>& measure : measures)
+        if (std::ranges::any_of(scene,
+                                [&](const RowType& row) { return isPlotted(measure, row, scene.front()); }))
+            names.push_back(std::string(sceneOf(scene.front())) + "_" + measure.name);
     return names;
 }
 
-} // namespace
-
-void writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows)
+void writeScenePlots(const std::filesystem::path& folder, std::span<const Row> scene)
 {
-    const std::vector<const Row*> scene = lastScene(rows);
-    const Row& first = *scene.front();
+    const Row& first = scene.front();
     for (const Measure<Row>& measure : captureMeasures) {
         std::vector<PlotPoint> points;
-        for (const Row* row : scene)
-            if (isPlotted(measure, *row, first))
-                points.push_back({row->costRatio(), measure.of(*row), row->entry.methodName(),
-                                  row->entry.rival ? std::nullopt : std::optional(row->entry.map),
-                                  row->entry.sizing == Sizing::equalTexels});
+        for (const Row& row : scene)
+            if (isPlotted(measure, row, first))
+                points.push_back({row.costRatio(), measure.of(row), row.entry.methodName(),
+                                  row.entry.rival ? std::nullopt : std::optional(row.entry.map),
+                                  row.entry.sizing == Sizing::equalTexels});
         if (points.empty())
             continue;
         writeParetoPlot(folder / (std::string(sceneOf(first)) + "_" + measure.name),
@@ -113,17 +83,16 @@ void writePlots(const std::filesystem::path& folder, const std::vector<Row>& row
     }
 }
 
-void writePlots(const std::filesystem::path& folder, const std::vector<LookUpRow>& rows)
+void writeScenePlots(const std::filesystem::path& folder, std::span<const LookUpRow> scene)
 {
-    const std::vector<const LookUpRow*> scene = lastScene(rows);
-    const LookUpRow& first = *scene.front();
+    const LookUpRow& first = scene.front();
     const std::string name(sceneOf(first)), n = std::to_string(first.cubeN);
     for (const Measure<LookUpRow>& measure : lookUpMeasures) {
         std::vector<PlotPoint> points;
-        for (const LookUpRow* row : scene)
-            points.push_back({row->ratio, measure.of(*row), std::string(nameOf(row->entry.lookup)),
-                              row->entry.isByHand ? std::nullopt : std::optional(row->entry.map),
-                              row->cubeN == first.cubeN});
+        for (const LookUpRow& row : scene)
+            points.push_back({row.ratio, measure.of(row), std::string(nameOf(row.entry.lookup)),
+                              row.entry.isByHand ? std::nullopt : std::optional(row.entry.map),
+                              row.cubeN == first.cubeN});
         writeParetoPlot(folder / (name + "_" + measure.name),
                         {name + " in a ball, 1280 x 720",
                          std::string(costName()) +
@@ -134,14 +103,28 @@ void writePlots(const std::filesystem::path& folder, const std::vector<LookUpRow
     }
 }
 
-std::vector<std::string> plotNames(const std::vector<Row>& rows)
+} // namespace
+
+void writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows)
 {
-    return namesOf(rows, captureMeasures);
+    for (const std::span<const Row> scene : byScene(rows))
+        writeScenePlots(folder, scene);
 }
 
-std::vector<std::string> plotNames(const std::vector<LookUpRow>& rows)
+void writePlots(const std::filesystem::path& folder, const std::vector<LookUpRow>& rows)
 {
-    return namesOf(rows, lookUpMeasures);
+    for (const std::span<const LookUpRow> scene : byScene(rows))
+        writeScenePlots(folder, scene);
+}
+
+std::vector<std::string> plotNames(std::span<const Row> scene)
+{
+    return namesOf(scene, captureMeasures);
+}
+
+std::vector<std::string> plotNames(std::span<const LookUpRow> scene)
+{
+    return namesOf(scene, lookUpMeasures);
 }
 
 } // namespace tests::benchmark

@@ -8,20 +8,49 @@
 
 #include <glm/trigonometric.hpp>
 
-#include <array>
+#include <map>
 #include <ostream>
 
 namespace tests::benchmark {
 
 namespace {
 
+// How many rows each run gave, where there was more than this one.
+void writeRuns(std::ostream& out, const Results& results)
+{
+    struct Counts
+    {
+        std::size_t times = 0, errors = 0, lookUps = 0;
+    };
+    std::map<std::string, Counts> runs;
+    for (const Row& row : results.captures) {
+        ++runs[row.run].times;
+        if (row.errors)
+            ++runs[row.errorsRun].errors;
+    }
+    for (const LookUpRow& row : results.lookUps)
+        ++runs[row.run].lookUps;
+    if (runs.size() < 2)
+        return;
+    out << "## Runs\n\nRows of earlier runs were taken over, the last one's of each contender; each row "
+           "names its "
+           "run in the CSV files. Errors may have been told by a later run than the times: they are the same "
+           "in all "
+           "runs.\n\n| run | rows with times of pass 1 | with errors of pass 1 | of look-ups "
+           "|\n|---|---|---|---|\n";
+    for (const auto& [name, counts] : runs)
+        out << "| " << name << " | " << counts.times << " | " << counts.errors << " | " << counts.lookUps
+            << " |\n";
+    out << '\n';
+}
+
 void writeCircumstances(std::ostream& out, const Circumstances& circumstances)
 {
     out << "# Run time against error\n\n"
         << "Written by `" << circumstances.command
         << "`. docs/benchmark.md says how to read and repeat it.\n\n"
-        << "- " << circumstances.driver << "\n- " << processor() << "\n- " << today() << ", revision "
-        << circumstances.revision << "\n- medians of " << circumstances.frames
+        << "- " << circumstances.driver << "\n- " << processor() << "\n- " << circumstances.run
+        << "\n- medians of " << circumstances.frames
         << " frames a contender, drawn in turn; the ratios are to the culled six-pass cube of the same "
            "scene, "
            "size and back-face culling, and mean more than the times\n";
@@ -181,16 +210,14 @@ std::string cells(const Row& row)
            " | " + format("%.1e", errors.directionDegrees.p95) + " |";
 }
 
-void writeTables(std::ostream& out, const std::vector<Row>& rows)
+void writeTables(std::ostream& out, std::span<const Row> rows)
 {
-    out << "## Tables of pass 1\n\n";
     for (std::size_t index = 0; index < rows.size(); ++index) {
         const Row& row = rows[index];
         const bool isFirst = index == 0 || !isSameGroup(rows[index - 1].group, row.group);
         if (isFirst) {
             const std::string gpu = row.timing.gpu ? "GPU ms | GPU ratio | " : "";
-            out << (index > 0 ? "\n" : "") << "### " << row.group.scene->name << ", " << row.sceneTriangles
-                << " triangles, cube n = " << row.group.cubeN << ", back faces "
+            out << "\n## Cube n = " << row.group.cubeN << ", back faces "
                 << (row.group.cullBackFaces ? "culled" : "drawn")
                 << (row.group.isRivalCheck ? ", 8-bit formats" : "")
                 << (row.group.vertices == Vertices::own ? ", every triangle with its own vertices" : "")
@@ -221,8 +248,11 @@ void writeCaptures(std::ostream& out, const std::vector<Row>& rows)
     writeAims(out, aimsOf(rows));
     writeProfiles(out, profilesOf(rows));
     writeFindings(out, rows);
-    out << "## Plots of pass 1\n\n";
-    writePlotLinks(out, plotNames(rows));
+    out << "## Every number of pass 1\n\n";
+    for (const std::span<const Row> scene : byScene(rows))
+        out << "- [" << sceneOf(scene.front()) << "](" << pageOf(scene) << "), "
+            << scene.front().sceneTriangles << " triangles: plots and tables\n";
+    out << "- [benchmark.csv](benchmark.csv): the same and more, one line a contender\n\n";
 }
 
 } // namespace
@@ -234,10 +264,24 @@ void writeReport(std::ostream& out, const Results& results, const Circumstances&
         writeCaptures(out, results.captures);
     if (!results.lookUps.empty()) {
         writeLookUps(out, results.lookUps);
-        writePlotLinks(out, plotNames(results.lookUps));
+        for (const std::span<const LookUpRow> scene : byScene(results.lookUps))
+            writePlotLinks(out, plotNames(scene));
     }
-    if (!results.captures.empty())
-        writeTables(out, results.captures);
+    writeRuns(out, results);
+}
+
+void writeScene(std::ostream& out, std::span<const Row> scene)
+{
+    out << "# Pass 1 in " << sceneOf(scene.front()) << "\n\n"
+        << scene.front().sceneTriangles
+        << " triangles. The [report](README.md) sums up; docs/benchmark.md says what the columns mean.\n\n";
+    writePlotLinks(out, plotNames(scene));
+    writeTables(out, scene);
+}
+
+std::string pageOf(std::span<const Row> scene)
+{
+    return std::string(sceneOf(scene.front())) + ".md";
 }
 
 } // namespace tests::benchmark

@@ -139,6 +139,16 @@ void runGroup(const Group& group, int frames, LoadedScene& loaded, Progress& pro
     setRatios(std::span(rows).subspan(firstRow));
 }
 
+bool isJudged(const Row& row, const Options& options)
+{
+    const auto isAskedFor = [](const auto& list, const auto& value) {
+        return list.empty() || std::ranges::count(list, value) > 0;
+    };
+    return row.errors && isThere(*row.group.scene) && isAskedFor(options.scenes, row.group.scene->name) &&
+           isAskedFor(options.maps, row.entry.map) && isAskedFor(options.methods, row.entry.methodName()) &&
+           isAskedFor(options.sizes, row.group.cubeN);
+}
+
 } // namespace
 
 double stepsOf(const std::vector<Group>& plan, int frames)
@@ -150,7 +160,7 @@ double stepsOf(const std::vector<Group>& plan, int frames)
     return steps;
 }
 
-std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progress,
+std::vector<Row> run(const std::vector<Group>& plan, int frames, const std::string& name, Progress& progress,
                      const std::function<void(const std::vector<Row>&)>& afterGroup)
 {
     CapturePrograms programs;
@@ -163,9 +173,44 @@ std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progr
             loaded = std::make_unique<LoadedScene>(*group.scene, programs);
         }
         runGroup(group, frames, *loaded, progress, rows);
+        for (Row& row : rows)
+            row.run = row.errorsRun = name;
         afterGroup(rows);
     }
     return rows;
+}
+
+double judgeSteps(const std::vector<Row>& rows, const Options& options)
+{
+    double steps = 0.0;
+    for (const Row& row : rows)
+        if (isJudged(row, options))
+            steps += weightOf(row.group);
+    return steps;
+}
+
+void judge(std::vector<Row>& rows, const Options& options, const std::string& name, Progress& progress,
+           const std::function<void()>& afterGroup)
+{
+    CapturePrograms programs;
+    std::unique_ptr<LoadedScene> loaded; // for one size, as rays of all would take gigabytes
+    int cubeN = 0;
+    for (Row& row : rows) {
+        if (!isJudged(row, options))
+            continue;
+        if (!loaded || &loaded->stage().choice() != row.group.scene || cubeN != row.group.cubeN) {
+            if (loaded)
+                afterGroup();
+            progress.label(std::string(row.group.scene->name) +
+                           ", errors, n = " + std::to_string(row.group.cubeN));
+            loaded.reset();
+            loaded = std::make_unique<LoadedScene>(*row.group.scene, programs);
+            cubeN = row.group.cubeN;
+        }
+        row.errors = loaded->errors(row.entry, row.group.cullBackFaces);
+        row.errorsRun = name;
+        progress.advance(weightOf(row.group));
+    }
 }
 
 } // namespace tests::benchmark

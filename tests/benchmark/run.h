@@ -29,16 +29,27 @@ struct Row
     // hand-written cube there.
     double cpuRatio = 0, wallRatio = 0, costRatioToBest = 0;
     std::optional<double> gpuRatio;
+    // When and at which revision the run began that drew it, and the one that told its errors.
+    std::string run = {}, errorsRun = {};
 
     double cost() const { return timing.cost().median; }
     double costRatio() const { return gpuRatio.value_or(cpuRatio); }
 };
 
-// `afterGroup` is called with all rows so far.
-std::vector<Row> run(const std::vector<Group>& plan, int frames, Progress& progress,
+// `name` is what the rows call the run. `afterGroup` is called with all rows so far.
+std::vector<Row> run(const std::vector<Group>& plan, int frames, const std::string& name, Progress& progress,
                      const std::function<void(const std::vector<Row>&)>& afterGroup);
 
 // The steps that run() will report for a plan.
 double stepsOf(const std::vector<Group>& plan, int frames);
+
+// Tells the errors of rows anew, whose times stay: of those that have errors, and that the options ask for by scene,
+// map, method and size. Rows of scenes whose file is not there stay as they are. `afterGroup` is called after each
+// scene and size.
+void judge(std::vector<Row>& rows, const Options& options, const std::string& name, Progress& progress,
+           const std::function<void()>& afterGroup);
+
+// The steps that judge() will report.
+double judgeSteps(const std::vector<Row>& rows, const Options& options);
 
 } // namespace tests::benchmark

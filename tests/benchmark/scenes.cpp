@@ -1,5 +1,7 @@
 #include "scenes.h"
 
+#include <filesystem>
+
 namespace tests::benchmark {
 
 namespace {
@@ -36,6 +38,16 @@ constexpr SceneChoice choices[] = {
 std::span<const SceneChoice> sceneChoices()
 {
     return choices;
+}
+
+bool isModel(const SceneChoice& scene)
+{
+    return !scene.source.starts_with("builtin:");
+}
+
+bool isThere(const SceneChoice& scene)
+{
+    return !isModel(scene) || std::filesystem::exists(scene.source);
 }
 
 examples::Scene withOwnVertices(const examples::Scene& scene)

@@ -30,6 +30,9 @@ struct SceneChoice
 
 std::span<const SceneChoice> sceneChoices();
 
+bool isModel(const SceneChoice& scene); // comes from a file
+bool isThere(const SceneChoice& scene); // needs no file that is missing
+
 // The same triangles, none of which shares a vertex with another.
 examples::Scene withOwnVertices(const examples::Scene& scene);
 
