@@ -79,12 +79,6 @@ CLI::Option* add(CLI::App& app, const std::string& name, const std::function<voi
     return app.add_option_function<std::string>(name, parse, description)->type_name(type);
 }
 
-// Else an option without its value would take the next option for it.
-std::string requireNoOption(const std::string& text)
-{
-    return text.starts_with('-') ? "it needs a value, and '" + text + "' looks like an option" : "";
-}
-
 std::string withDefault(const std::string& description, const std::string& otherwise)
 {
     return description + " (default: " + otherwise + ")";
@@ -204,10 +198,15 @@ CLI::Option* addFlag(CLI::App& app, const std::string& name, bool& value, const 
     return app.add_flag(name, value, description);
 }
 
+std::string notAnOption(const std::string& text)
+{
+    return text.starts_with('-') ? "it needs a value, and '" + text + "' looks like an option" : "";
+}
+
 CLI::Option* addText(CLI::App& app, const std::string& name, std::string& value, const std::string& type,
                      const std::string& description)
 {
-    return app.add_option(name, value, description)->type_name(type)->check(requireNoOption);
+    return app.add_option(name, value, description)->type_name(type)->check(notAnOption);
 }
 
 CLI::Option* addRequiredText(CLI::App& app, const std::string& name, std::string& value,
@@ -221,7 +220,7 @@ CLI::Option* addTexts(CLI::App& app, const std::string& name, std::vector<std::s
 {
     return app.add_option(name, values, description + ", once for each")
         ->type_name(type)
-        ->check(requireNoOption)
+        ->check(notAnOption)
         ->allow_extra_args(false);
 }
 

@@ -55,6 +55,9 @@ CLI::Option* addIntegers(CLI::App& app, const std::string& name, std::vector<int
 
 CLI::Option* addFlag(CLI::App& app, const std::string& name, bool& value, const std::string& description);
 
+// For CLI::Option::check of texts: else an option without its value would take the next option for it.
+std::string notAnOption(const std::string& text);
+
 // Any text; `type` stands for it in --help. A name without dashes is told by its place.
 CLI::Option* addText(CLI::App& app, const std::string& name, std::string& value, const std::string& type,
                      const std::string& description);

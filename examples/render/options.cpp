@@ -117,6 +117,7 @@ void CommandLine::addReflectorOptions(CLI::App& app)
                "mirrors images instead of the scene: six of a cube, +X -X +Y -Y +Z -Z, or one panorama "
                "(2:1), or one sphere-map image (1:1)")
             ->expected(1, 6)
+            ->check(notAnOption)
             ->type_name("FILE"));
     perReflector(addNumber(app, "--blend", current_.blend, "0: its own colour only, 1: reflection only"));
     perReflector(addVector(app, "--tint", current_.tint, "multiplied onto the reflection, linear r,g,b"));

@@ -164,7 +164,8 @@ void addOptions(CLI::App& app, Options& options, std::optional<int>& frames)
 
     using namespace examples;
     addFlag(app, "--quick", options.quick, "fewer scenes, maps and frames: within two minutes");
-    addChoice(app, "--part", options.part, parts, "what is measured");
+    addChoice(app, "--part", options.part, parts,
+              "what is measured; errors tells them anew for the rows of --from, nothing only joins these");
     addChoices(app, "--scene", options.scenes, scenes, "a scene");
     addChoices(app, "--map", options.maps, maps, "a map");
     addChoices(app, "--method", options.methods, methods, "a method");

@@ -217,7 +217,7 @@ void writeTables(std::ostream& out, std::span<const Row> rows)
         const bool isFirst = index == 0 || !isSameGroup(rows[index - 1].group, row.group);
         if (isFirst) {
             const std::string gpu = row.timing.gpu ? "GPU ms | GPU ratio | " : "";
-            out << "\n## Cube n = " << row.group.cubeN << ", back faces "
+            out << (index > 0 ? "\n" : "") << "## Cube n = " << row.group.cubeN << ", back faces "
                 << (row.group.cullBackFaces ? "culled" : "drawn")
                 << (row.group.isRivalCheck ? ", 8-bit formats" : "")
                 << (row.group.vertices == Vertices::own ? ", every triangle with its own vertices" : "")

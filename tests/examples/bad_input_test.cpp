@@ -181,6 +181,7 @@ void testRender(const Subject& render, const BadScenes& scenes)
                                  {"--pixels", "100"},
                                  {"--pixels", "100x"},
                                  {"--pixels", "axb"},
+                                 {"--pixels", " 100x100"},
                                  {"--source"},
                                  {"--reflector", "sphere:1", "--scale", "big"}});
     render.refusesEach(failed, {{"--reflector", "toaster"},
@@ -239,6 +240,17 @@ void testSources(const Subject& render, const BadScenes& scenes)
                         Words{"--source"} + five + Words{noise}, Words{"--source"} + five + Words{missing}});
 }
 
+// The option that lacks it is named, not the one that would be its value.
+void testForgottenValues()
+{
+    const auto saysOf = [](const char* program, const Words& words, const std::string& option) {
+        const std::string said = tests::run(program, words, {}).errors;
+        CHECK(said.find(option + ": it needs a value, and '-o' looks like an option") != std::string::npos);
+    };
+    saysOf(RENDER_PROGRAM, {"builtin:cards", "--source", "-o", "x.png"}, "--source");
+    saysOf(CAPTURE_PROGRAM, {"builtin:cards", "--stats", "-o", "x"}, "--stats");
+}
+
 void testHello(const Subject& hello)
 {
     const Scratch folder;
@@ -286,6 +298,7 @@ int main()
     testHalfAMap(capture);
     testRender(render, scenes);
     testSources(render, scenes);
+    testForgottenValues();
     testHello(hello);
     std::printf("refused: capture %d, render %d, hello_probe %d\n", capture.count(), render.count(),
                 hello.count());
