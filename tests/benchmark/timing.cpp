@@ -49,7 +49,6 @@ struct Samples
     }
 };
 
-constexpr double millisecondsAContender = 6000.0;
 constexpr double fewestFrames = 2.0;
 
 } // namespace
@@ -90,8 +89,9 @@ const char* costName()
 }
 
 std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contenders, int warmUp, int frames,
-                            const std::function<void()>& afterEach)
+                            const std::function<void()>& afterEach, double millisecondsAContender)
 {
+    const int tellingFrame = std::min(1, warmUp - 1); // where there is a second one: the first also compiles
     std::vector<Samples> samples(contenders.size());
     std::vector<int> last(contenders.size(), warmUp + frames);
     for (int frame = 0; frame < warmUp + frames; ++frame)
@@ -100,7 +100,7 @@ std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contende
             const bool isSlow = last[index] < warmUp + frames; // and warm by now
             if (frame < last[index] && !(isSlow && frame < warmUp))
                 (frame < warmUp ? discarded : samples[index]).add(timed([&] { contenders[index]->draw(); }));
-            if (frame == 1 && !discarded.wall.empty()) { // the first one also compiles
+            if (frame == tellingFrame) {
                 const double affordable = millisecondsAContender / discarded.wall.front();
                 last[index] = warmUp + std::min(frames, static_cast<int>(std::max(affordable, fewestFrames)));
             }

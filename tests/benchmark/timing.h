@@ -39,10 +39,10 @@ Sample timed(const std::function<void()>& work);
 // "CPU" or "GPU": whose time the current context's costs are.
 const char* costName();
 
-// `warmUp` frames that are not measured, then `frames`; of a contender of which so many would take longer than six
-// seconds fewer are drawn, but two. `afterEach` is called after every frame of one, drawn or not.
+// `warmUp` frames that are not measured, at least one, then `frames`; of a contender of which so many would take longer
+// than so many milliseconds fewer are drawn, but two. `afterEach` is called after every frame of one, drawn or not.
 std::vector<Timing> measure(std::span<const std::unique_ptr<Contender>> contenders, int warmUp, int frames,
-                            const std::function<void()>& afterEach);
+                            const std::function<void()>& afterEach, double millisecondsAContender = 6000.0);
 
 // One frame's work as the driver counts it (pipeline statistics queries), apart from the timed frames.
 struct WorkCounts

@@ -12,12 +12,14 @@
 #include <mirrorball/maps/measures.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <unistd.h>
 
@@ -217,6 +219,42 @@ void quartilesAreThoseOfTheRanks()
     CHECK(quartilesOf({1.0, 2.0}).median == 1.5);
 }
 
+class SlowContender : public Contender
+{
+public:
+    explicit SlowContender(int& draws) : draws_(draws) {}
+
+    Work draw() override
+    {
+        ++draws_;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        return {};
+    }
+    MapImages read() const override { return {}; }
+
+private:
+    int& draws_;
+};
+
+// What takes too long is drawn less often, whether it is warmed up once or more.
+void slowContendersAreDrawnLess()
+{
+    for (const int warmUp : {1, 4}) {
+        int draws = 0;
+        std::vector<std::unique_ptr<Contender>> contenders;
+        contenders.push_back(std::make_unique<SlowContender>(draws));
+        const std::vector<Timing> timings = measure(
+            contenders, warmUp, 30, [] {}, 10.0);
+        CHECK(timings.front().frames == 2);
+        CHECK(draws == std::min(warmUp, 2) + 2);
+        CHECK(timings.front().wall.median >= 20.0);
+    }
+    int draws = 0;
+    std::vector<std::unique_ptr<Contender>> contenders;
+    contenders.push_back(std::make_unique<SlowContender>(draws));
+    CHECK(measure(contenders, 1, 3, [] {}).front().frames == 3 && draws == 4);
+}
+
 } // namespace
 
 int main()
@@ -251,4 +289,5 @@ int main()
 
     equalAngleIsTheSmallest();
     quartilesAreThoseOfTheRanks();
+    slowContendersAreDrawnLess();
 }
