@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <functional>
-#include <initializer_list>
 #include <iomanip>
 #include <istream>
 #include <iterator>
@@ -75,36 +75,43 @@ std::string spelled(const std::optional<Value>& value)
     return value ? spelled(*value) : "";
 }
 
-void parse(const std::string& text, double& value)
+template <class Number>
+void parseNumber(const std::string& text, Number& value)
 {
     const char* const end = text.data() + text.size();
     const auto [stop, problem] = std::from_chars(text.data(), end, value);
     if (problem != std::errc() || stop != end)
-        throw BadCell{"'" + text + "' is not a number"};
+        throw BadCell{"'" + text + "' is not a number of its kind"};
 }
 
-// Earlier reports have counts with an exponent.
-template <class Count>
-void parseCount(const std::string& text, Count& value)
+void parse(const std::string& text, double& value)
 {
-    double number = 0.0;
-    parse(text, number);
-    value = static_cast<Count>(number);
+    parseNumber(text, value);
+    if (!std::isfinite(value))
+        throw BadCell{"'" + text + "' is not finite"};
 }
 
 void parse(const std::string& text, int& value)
 {
-    parseCount(text, value);
+    parseNumber(text, value);
 }
 
 void parse(const std::string& text, std::size_t& value)
 {
-    parseCount(text, value);
+    parseNumber(text, value);
+}
+
+bool isFirst(const std::string& text, std::string_view first, std::string_view second)
+{
+    if (text != first && text != second)
+        throw BadCell{"'" + text + "' is neither '" + std::string(first) + "' nor '" + std::string(second) +
+                      "'"};
+    return text == first;
 }
 
 void parse(const std::string& text, bool& value)
 {
-    value = text == "1";
+    value = isFirst(text, "1", "0");
 }
 
 void parse(const std::string& text, std::string& value)
@@ -222,7 +229,7 @@ std::vector<Column<Row>> captureColumns()
             "scene_vertices", [](auto& row) -> auto& { return row.sceneVertices; }),
         {"by", [](const Row& row) { return std::string(row.entry.rival ? "hand" : "mirrorball"); },
          [](Row& row, const std::string& text) {
-             if (text == "hand")
+             if (isFirst(text, "hand", "mirrorball"))
                  row.entry.rival.emplace(); // which, the method tells
          }},
         {"map", [](const Row& row) { return std::string(mirrorball::mapInfo(row.entry.map).name); },
@@ -319,7 +326,9 @@ std::vector<Column<LookUpRow>> lookUpColumns()
                                 [](const MirrorScene& scene) { return scene.name; });
          }},
         {"by", [](const LookUpRow& row) { return std::string(row.entry.isByHand ? "hand" : "mirrorball"); },
-         [](LookUpRow& row, const std::string& text) { row.entry.isByHand = text == "hand"; }},
+         [](LookUpRow& row, const std::string& text) {
+             row.entry.isByHand = isFirst(text, "hand", "mirrorball");
+         }},
         {"map", [](const LookUpRow& row) { return std::string(mirrorball::mapInfo(row.entry.map).name); },
          [](LookUpRow& row, const std::string& text) { row.entry.map = mapNamed(text); }},
         {"look_up", [](const LookUpRow& row) { return std::string(nameOf(row.entry.lookup)); },
@@ -385,41 +394,62 @@ std::vector<std::string> cellsOf(const std::string& line)
     return cells;
 }
 
+// What numbers must be for a report to be made of them.
+void requireUsable(const Row& row)
+{
+    if (row.entry.n < 1 || row.group.cubeN < 1 || row.sceneTriangles < 1 || row.sceneVertices < 1)
+        throw BadCell{"a size or count is less than 1"};
+    if (!(row.cpuRatio > 0.0 && row.wallRatio > 0.0 && row.costRatioToBest > 0.0 &&
+          row.gpuRatio.value_or(1.0) > 0.0))
+        throw BadCell{"a ratio is not positive"};
+}
+
+void requireUsable(const LookUpRow& row)
+{
+    if (row.entry.n < 1 || row.cubeN < 1)
+        throw BadCell{"a size is less than 1"};
+    if (!(row.ratio > 0.0 && row.frameWall.median > 0.0))
+        throw BadCell{"a ratio or time is not positive"};
+}
+
+template <class RowType>
+RowType rowOf(const std::vector<std::string>& names, const std::vector<std::string>& cells,
+              const std::vector<Column<RowType>>& columns)
+{
+    if (cells.size() != names.size())
+        throw BadCell{"it has " + std::to_string(cells.size()) + " cells, and " +
+                      std::to_string(names.size()) + " columns have names"};
+    RowType row{};
+    for (const Column<RowType>& column : columns) {
+        const auto place = std::ranges::find(names, column.name) - names.begin();
+        try {
+            column.set(row, cells[static_cast<std::size_t>(place)]);
+        } catch (const BadCell& bad) {
+            throw BadCell{std::string(column.name) + ": " + bad.what};
+        }
+    }
+    requireUsable(row);
+    return row;
+}
+
 template <class RowType>
 std::vector<RowType> read(std::istream& in, const std::string& name,
-                          const std::vector<Column<RowType>>& columns,
-                          std::initializer_list<const char*> needed)
+                          const std::vector<Column<RowType>>& columns)
 {
-    const auto fail = [&](std::size_t line, const std::string& what) {
-        throw mirrorball::Error(mirrorball::ErrorKind::badFile, name + ", line " + std::to_string(line), what,
-                                "name a report that this program wrote");
-    };
-    std::string line;
-    std::getline(in, line);
-    const std::vector<std::string> names = cellsOf(line);
-    for (const char* const column : needed)
-        if (!std::ranges::count(names, column))
-            fail(1, std::string("there is no column '") + column + "'");
     std::vector<RowType> rows;
-    for (std::size_t number = 2; std::getline(in, line); ++number) {
-        const std::vector<std::string> cells = cellsOf(line);
-        if (cells.size() != names.size())
-            fail(number, "it has " + std::to_string(cells.size()) + " cells where " +
-                             std::to_string(names.size()) + " columns have names");
-        RowType row{};
-        for (const Column<RowType>& column : columns) {
-            const auto found = std::ranges::find(names, column.name);
-            if (found == names.end())
-                continue;
-            try {
-                column.set(row, cells[static_cast<std::size_t>(found - names.begin())]);
-            } catch (const BadCell& bad) {
-                fail(number, std::string(column.name) + ": " + bad.what);
-            }
-        }
-        if (row.entry.n < 1)
-            fail(number, "n is less than 1");
-        rows.push_back(std::move(row));
+    std::size_t number = 1;
+    try {
+        std::string line;
+        std::getline(in, line);
+        const std::vector<std::string> names = cellsOf(line);
+        for (const Column<RowType>& column : columns)
+            if (std::ranges::count(names, column.name) != 1)
+                throw BadCell{"'" + std::string(column.name) + "' does not name one column"};
+        for (++number; std::getline(in, line); ++number)
+            rows.push_back(rowOf(names, cellsOf(line), columns));
+    } catch (const BadCell& bad) {
+        throw mirrorball::Error(mirrorball::ErrorKind::badFile, name + ", line " + std::to_string(number),
+                                bad.what, "name a report that this version wrote");
     }
     return rows;
 }
@@ -438,8 +468,7 @@ void writeCsv(std::ostream& out, const std::vector<LookUpRow>& rows)
 
 std::vector<Row> readCaptures(std::istream& in, const std::string& name)
 {
-    std::vector<Row> rows =
-        read(in, name, captureColumns(), {"scene", "by", "map", "method", "sizing", "cube_n", "n"});
+    std::vector<Row> rows = read(in, name, captureColumns());
     for (Row& row : rows) {
         row.measures = measuresOf(row.entry.map, row.entry.n);
         const bool isOwn = row.group.isRivalCheck && row.sceneVertices == 3 * row.sceneTriangles;
@@ -450,7 +479,7 @@ std::vector<Row> readCaptures(std::istream& in, const std::string& name)
 
 std::vector<LookUpRow> readLookUps(std::istream& in, const std::string& name)
 {
-    return read(in, name, lookUpColumns(), {"scene", "by", "map", "look_up", "cube_n", "n"});
+    return read(in, name, lookUpColumns());
 }
 
 } // namespace tests::benchmark

@@ -13,9 +13,9 @@ namespace tests::benchmark {
 void writeCsv(std::ostream& out, const std::vector<Row>& rows);
 void writeCsv(std::ostream& out, const std::vector<LookUpRow>& rows);
 
-// What writeCsv wrote, with the six digits that it gives. Figures of columns that are not there stay empty or 0, and
-// columns of other names are passed over. `name` is the file's, for the message of mirrorball::Error, badFile: a row
-// that names no known scene, map or method, or has something else than numbers.
+// What writeCsv wrote, with the six digits that it gives. `name` is the file's, for the message of mirrorball::Error,
+// badFile: a column is not there, a row names no known scene, map or method, or has something else than numbers. Columns
+// of other names are passed over.
 std::vector<Row> readCaptures(std::istream& in, const std::string& name);
 std::vector<LookUpRow> readLookUps(std::istream& in, const std::string& name);
 

@@ -41,7 +41,7 @@ std::string runName()
 {
     const std::time_t now = std::time(nullptr);
     std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", std::gmtime(&now));
+    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", std::gmtime(&now));
     return std::string(text.data()) + ", revision " + revision();
 }
 

@@ -122,7 +122,9 @@ std::vector<Rows> aimedAt(const std::vector<Row>& rows)
     std::vector<Rows> groups = groupsOf(rows);
     std::erase_if(groups, [&](const Rows& group) {
         const Group& of = group.front()->group;
-        return of.cubeN != rows.front().group.cubeN || of.isRivalCheck;
+        const auto first =
+            std::ranges::find_if(rows, [&](const Row& row) { return row.group.scene == of.scene; });
+        return of.cubeN != first->group.cubeN || of.isRivalCheck;
     });
     return groups;
 }
@@ -136,14 +138,17 @@ std::vector<RivalCheck> rivalChecksOf(const std::vector<Row>& rows)
         const Group& of = group.front()->group;
         if (!of.isRivalCheck)
             continue;
-        const auto find = [&](Rival rival) -> const Row& {
-            return *cheapest(group, [=](const Row& row) { return row.entry.rival == rival; });
+        const auto find = [&](Rival rival) {
+            return cheapest(group, [=](const Row& row) { return row.entry.rival == rival; });
         };
-        const Row &plain = find(Rival::plain), &culled = find(Rival::culled);
-        const double longer = 1e6 * (plain.cost() - culled.cost());
-        checks.push_back(
-            {std::string(of.scene->name), of.vertices, 1.0 / plain.costRatio(), *of.scene->culledOverPlain,
-             longer / static_cast<double>(plain.work.sent.triangles - culled.work.sent.triangles)});
+        const Row *const plain = find(Rival::plain), *const culled = find(Rival::culled);
+        if (plain == nullptr || culled == nullptr || plain->run != culled->run || !of.scene->culledOverPlain)
+            continue; // of a report that something was taken out of
+        const double longer = 1e6 * (plain->cost() - culled->cost());
+        checks.push_back({std::string(of.scene->name), of.vertices, 1.0 / plain->costRatio(),
+                          *of.scene->culledOverPlain,
+                          longer / (static_cast<double>(plain->work.sent.triangles) -
+                                    static_cast<double>(culled->work.sent.triangles))});
     }
     return checks;
 }

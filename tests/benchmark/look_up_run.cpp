@@ -104,8 +104,10 @@ std::vector<LookUpRow> runLookUps(const std::vector<LookUpGroup>& plan, int fram
             stage = std::make_unique<MirrorStage>(*group.scene, programs);
         }
         runGroup(group, frames, *stage, progress, rows);
-        for (LookUpRow& row : rows)
+        for (LookUpRow& row : rows) {
+            row.costsOf = costName();
             row.run = name;
+        }
         afterGroup(rows);
     }
     return rows;

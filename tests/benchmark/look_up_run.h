@@ -21,7 +21,8 @@ struct LookUpRow
     std::size_t frames = 0; // measured
     double ratio = 0;       // both, over that of the group's first
     ParallaxErrors errors{};
-    std::string run = {}; // as a Row's
+    std::string costsOf = {}; // costName() where it was measured
+    std::string run = {};     // as a Row's
 
     double framesPerSecond() const { return 1e3 / frameWall.median; }
 };

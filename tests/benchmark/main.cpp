@@ -1,4 +1,4 @@
-// benchmark: run time against error of every map and method, beside hand-written cube maps, in one run.
+// benchmark: run time against error of every map and method, beside hand-written cube maps.
 #include "command_line.h"
 #include "environment.h"
 #include "findings.h"
@@ -10,8 +10,6 @@
 #include "plan.h"
 #include "run.h"
 
-#include "support/driver.h"
-
 #include <mirrorball/error.h>
 #include <mirrorball/headless/context.h>
 
@@ -19,6 +17,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <string_view>
 
 namespace {
 
@@ -43,6 +42,12 @@ void requireAllowed(const Options& options)
     if ((options.part == Part::errors || options.part == Part::nothing) && options.from.empty())
         throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--part",
                                 "there are no rows without a report that brings them", "name it with --from");
+    const bool isChosen = options.quick || !options.scenes.empty() || !options.maps.empty() ||
+                          !options.methods.empty() || !options.sizes.empty();
+    if (options.part == Part::nothing && isChosen)
+        throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--part nothing",
+                                "it joins whole reports",
+                                "leave out what chooses scenes, maps, methods or sizes");
 }
 
 void printChecks(const std::vector<Row>& rows)
@@ -55,14 +60,15 @@ void printChecks(const std::vector<Row>& rows)
 }
 
 // Their ratios are to cubes that were drawn by a renderer of the same kind.
-void requireSameKind(const std::vector<Row>& earlier)
+void requireSameKind(const Results& earlier)
 {
-    const bool isSoftware = tests::isSoftwareRasteriser();
-    if (std::ranges::any_of(earlier,
-                            [=](const Row& row) { return row.timing.gpu.has_value() == isSoftware; }))
+    const auto isOther = [](const std::string& costsOf) { return costsOf != costName(); };
+    const auto costsOf = [](const Row& row) { return std::string(row.timing.gpu ? "GPU" : "CPU"); };
+    if (std::ranges::any_of(earlier.captures, isOther, costsOf) ||
+        std::ranges::any_of(earlier.lookUps, isOther, &LookUpRow::costsOf))
         throw mirrorball::Error(mirrorball::ErrorKind::badArgument, "--from",
-                                isSoftware ? "its times are a GPU's, and this renderer is software"
-                                           : "its times are of software, and this renderer is a GPU",
+                                std::string("it has other times than the ") + costName() +
+                                    "'s, by which this renderer's costs are told",
                                 "join reports of one renderer");
 }
 
@@ -71,7 +77,7 @@ bool isMeasured(Part part, const Options& options)
     return options.part == Part::both || options.part == part;
 }
 
-using WriteReport = std::function<void(const Results& now)>;
+using WriteReport = std::function<void(const Results& now, std::string_view changedScene)>;
 
 Results measured(const Options& options, Circumstances& circumstances, const WriteReport& write)
 {
@@ -87,31 +93,44 @@ Results measured(const Options& options, Circumstances& circumstances, const Wri
     Results now;
     Progress progress(stepsOf(plan, options.frames) + stepsOf(lookUpPlan, options.frames));
     now.captures = run(plan, options.frames, circumstances.run, progress, [&](const std::vector<Row>& rows) {
-        write({rows, {}});
+        write({rows, {}}, sceneOf(rows.back()));
     });
     now.lookUps = runLookUps(lookUpPlan, options.frames, circumstances.run, progress,
                              [&](const std::vector<LookUpRow>& rows) {
-                                 write({now.captures, rows});
+                                 write({now.captures, rows}, sceneOf(rows.back()));
                              });
     return now;
+}
+
+void judgeAgain(std::vector<Row>& rows, const Options& options, Circumstances& circumstances,
+                const WriteReport& write)
+{
+    for (const SceneChoice& scene : sceneChoices())
+        if (!isThere(scene))
+            circumstances.missingScenes.push_back(std::string(scene.name));
+    const double steps = judgeSteps(rows, options);
+    if (!(steps > 0.0))
+        throw mirrorball::Error(mirrorball::ErrorKind::notFound, "--part errors",
+                                "no row of the reports is one that was asked for and can be drawn here",
+                                "ask for scenes, maps, methods and sizes that they have");
+    Progress progress(steps);
+    judge(rows, options, circumstances.run, progress, [&](std::string_view scene) { write({}, scene); });
 }
 
 void report(const Options& options, Circumstances circumstances)
 {
     Results earlier = readReports(options.from);
-    requireSameKind(earlier.captures);
-    const auto write = [&](const Results& now) {
-        writeFiles(options.folder, merged(earlier, now), circumstances);
+    requireSameKind(earlier);
+    const auto write = [&](const Results& now, std::string_view changedScene) {
+        writeFiles(options.folder, merged(earlier, now), circumstances, changedScene);
     };
     Results now;
-    if (options.part == Part::errors) {
-        Progress progress(judgeSteps(earlier.captures, options));
-        judge(earlier.captures, options, circumstances.run, progress, [&] { write(now); });
-    } else if (options.part != Part::nothing) {
+    if (options.part == Part::errors)
+        judgeAgain(earlier.captures, options, circumstances, write);
+    else if (options.part != Part::nothing)
         now = measured(options, circumstances, write);
-    }
     circumstances.isComplete = true;
-    write(now);
+    write(now, {});
     printChecks(now.captures);
 }
 
@@ -165,7 +184,7 @@ void addOptions(CLI::App& app, Options& options, std::optional<int>& frames)
     using namespace examples;
     addFlag(app, "--quick", options.quick, "fewer scenes, maps and frames: within two minutes");
     addChoice(app, "--part", options.part, parts,
-              "what is measured; errors tells them anew for the rows of --from, nothing only joins these");
+              "what is measured: errors judges the rows of --from again, nothing only joins them");
     addChoices(app, "--scene", options.scenes, scenes, "a scene");
     addChoices(app, "--map", options.maps, maps, "a map");
     addChoices(app, "--method", options.methods, methods, "a method");
@@ -174,7 +193,7 @@ void addOptions(CLI::App& app, Options& options, std::optional<int>& frames)
     addTexts(app, "--from", options.from, "DIR",
              "an earlier report whose rows this one takes over, but for what it measures itself");
     addRequiredText(app, "-o,--output", options.folder, "DIR",
-                    "writes README.md, benchmark.csv and plots into it");
+                    "writes README.md, a page a scene, benchmark.csv, look_ups.csv and plots into it");
 }
 
 } // namespace

@@ -27,7 +27,7 @@ auto contender(const LookUpRow& row)
 {
     const MirrorEntry& entry = row.entry;
     return std::tuple(row.scene, row.cubeN != mainN, row.cubeN, !entry.isByHand, entry.map, entry.lookup,
-                      entry.n);
+                      entry.n != mainN, entry.n);
 }
 
 template <class RowType>
@@ -44,8 +44,13 @@ std::vector<RowType> mergedRows(std::vector<RowType> earlier, const std::vector<
 template <class Rows>
 void read(const std::filesystem::path& path, Rows (*readRows)(std::istream&, const std::string&), Rows& rows)
 {
-    if (std::ifstream file(path); file)
-        rows = readRows(file, path.string());
+    if (!std::filesystem::exists(path))
+        return;
+    std::ifstream file(path);
+    if (!file)
+        throw mirrorball::Error(mirrorball::ErrorKind::notFound, "'" + path.string() + "'",
+                                "it cannot be read", "name the folder of an earlier report");
+    rows = readRows(file, path.string());
 }
 
 } // namespace

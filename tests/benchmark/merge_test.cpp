@@ -109,22 +109,13 @@ void whatIsReadIsWhatWasWritten()
     CHECK(again[1].errorsRun == "judged, later");
 }
 
-void earlierReportsAreRead()
-{
-    // As reports of before a column came have it, counts with six digits.
-    std::istringstream in("scene,by,map,method,sizing,cube_n,n,triangles_sent,a_column_that_is_gone\n"
-                          "\"cards\",hand,cube,\"six passes, culled\",equal texels,8,8,1.25e+06,7\n");
-    const std::vector<Row> rows = readCaptures(in, "benchmark.csv");
-    CHECK(rows.size() == 1 && rows.front().entry.rival == Rival::culled);
-    CHECK(rows.front().work.sent.triangles == 1250000);
-    CHECK(!rows.front().errors && rows.front().run.empty());
-}
-
-std::string problemOf(const std::string& csv)
+template <class RowType>
+std::string problemOf(const std::string& csv,
+                      std::vector<RowType> (*readRows)(std::istream&, const std::string&))
 {
     std::istringstream in(csv);
     try {
-        readCaptures(in, "benchmark.csv");
+        readRows(in, "report.csv");
     } catch (const mirrorball::Error& error) {
         CHECK(error.kind() == mirrorball::ErrorKind::badFile);
         return error.what();
@@ -132,22 +123,41 @@ std::string problemOf(const std::string& csv)
     return "";
 }
 
+std::string replaced(std::string text, std::string_view what, std::string_view by)
+{
+    const std::size_t at = text.find(what);
+    CHECK(at != std::string::npos);
+    return text.replace(at, what.size(), by);
+}
+
+bool has(const std::string& text, std::string_view part)
+{
+    return text.find(part) != std::string::npos;
+}
+
 void brokenReportsAreNamed()
 {
-    const std::string header = "scene,by,map,method,sizing,cube_n,n,draws\n";
-    const auto problemOfRow = [&](const std::string& row) { return problemOf(header + row + "\n"); };
-    const auto has = [](const std::string& text, std::string_view part) {
-        return text.find(part) != std::string::npos;
+    const std::string good =
+        textOf(std::vector<Row>{rowOf("cards", 8, byHand(Rival::culled, 8), 1.25, "first"),
+                                rowOf("cards", 8, byLibrary("exact", MapKind::tennisBall, 8), 1.5, "first")});
+    const auto problem = [&](std::string_view what, std::string_view by) {
+        return problemOf(replaced(good, what, by), readCaptures);
     };
-    CHECK(problemOfRow("cards,hand,cube,six passes,equal texels,8,8,3").empty());
-    CHECK(has(problemOfRow("nowhere,hand,cube,six passes,equal texels,8,8,3"), "line 2: scene: 'nowhere'"));
-    CHECK(has(problemOfRow("cards,hand,globe,six passes,equal texels,8,8,3"), "'globe' is no map"));
-    CHECK(has(problemOfRow("cards,hand,cube,exact,equal texels,8,8,3"), "'exact' is no rival"));
-    CHECK(has(problemOfRow("cards,mirrorball,cube,six passes,equal texels,8,8,3"), "is no method"));
-    CHECK(has(problemOfRow("cards,hand,cube,six passes,equal texels,8,8,3x"), "'3x' is not a number"));
-    CHECK(has(problemOfRow("cards,hand,cube,six passes,equal texels,8,0,3"), "n is less than 1"));
-    CHECK(has(problemOfRow("cards,hand,cube,six passes,equal texels,8,8"), "7 cells where 8 columns"));
-    CHECK(has(problemOf(""), "line 1: there is no column 'scene'"));
+    CHECK(problem("cards", "cards").empty());
+    CHECK(has(problem("\"cards\"", "\"nowhere\""), "report.csv, line 2: scene: 'nowhere' is no scene"));
+    CHECK(has(problem("tennis-ball", "globe"), "line 3: map: 'globe' is no map"));
+    CHECK(has(problem("six passes, culled", "exact"), "method: 'exact' is no rival"));
+    CHECK(has(problem("hand", "mirrorball"), "method: 'six passes, culled' is no method"));
+    CHECK(has(problem("hand", "me"), "by: 'me' is neither 'hand' nor 'mirrorball'"));
+    CHECK(has(problem("equal texels", "any"), "sizing: 'any' is no sizing"));
+    CHECK(has(problem("12345678", "12345678.5"), "scene_triangles: '12345678.5' is not a number"));
+    CHECK(has(problem("12345678", "-1"), "scene_triangles: '-1' is not a number"));
+    CHECK(has(problem("12345678", "0"), "less than 1"));
+    CHECK(has(problem("1.25", "nan"), "'nan' is not finite"));
+    CHECK(has(problem("1.25,1.25,", "1.25,0,"), "a ratio is not positive"));
+    CHECK(has(problem("\"first\",", ""), "line 2: it has"));
+    CHECK(has(problem("wall_ratio", "wall"), "line 1: 'wall_ratio' does not name one column"));
+    CHECK(has(problemOf("", readCaptures), "line 1"));
 }
 
 LookUpRow lookUpRow(int cubeN, bool isByHand, double ratio, const std::string& run)
@@ -163,8 +173,22 @@ LookUpRow lookUpRow(int cubeN, bool isByHand, double ratio, const std::string& r
     row.ratio = ratio;
     row.errors.pixels = 4321;
     row.errors.psnr = 33.25;
+    row.costsOf = "CPU";
     row.run = run;
     return row;
+}
+
+void brokenLookUpsAreNamed()
+{
+    const std::string good = textOf(std::vector<LookUpRow>{lookUpRow(mainN, true, 1.0, "first")});
+    const auto problem = [&](std::string_view what, std::string_view by) {
+        return problemOf(replaced(good, what, by), readLookUps);
+    };
+    CHECK(problem("hand", "hand").empty());
+    CHECK(has(problem("infinite", "far"), "line 2: look_up: 'far' is no look-up"));
+    CHECK(has(problem("hand", "me"), "by: 'me'"));
+    CHECK(has(problem("\"room\"", "\"crowd-12k\""), "is no scene with a mirror"));
+    CHECK(has(problem("4321", "many"), "pixels_judged: 'many' is not a number"));
 }
 
 void laterRowsReplaceEarlierOnes()
@@ -190,6 +214,13 @@ void laterRowsReplaceEarlierOnes()
     CHECK(both.captures[4].group.cubeN == 64);
     CHECK(both.lookUps.size() == 3 && both.lookUps[1].ratio == 1.25 && both.lookUps[2].cubeN == 64);
 
+    // Each scene's aims are those of its own first size.
+    Results sizes;
+    sizes.captures = {rowOf("cards", 64, cube, 1.0, "first"), rowOf("room", mainN, cube, 1.0, "first"),
+                      rowOf("room", mainN, exact, 1.5, "first"),
+                      rowOf("room", mainN, tessellated, 3.0, "first")};
+    CHECK(aimsOf(sizes.captures).size() == 1);
+
     // Times of two runs are not divided by each other.
     constexpr std::size_t exactToTessellated = 2;
     CHECK(aimsOf(first.captures).front().measured[exactToTessellated] == 0.5);
@@ -210,12 +241,7 @@ void foldersAreRead()
     std::ofstream(folder / "b" / "look_ups.csv") << textOf(lookUps);
     const Results results = readReports({(folder / "a").string(), (folder / "b").string()});
     CHECK(textOf(results.captures) == textOf(captures) && textOf(results.lookUps) == textOf(lookUps));
-    try {
-        readReports({folder.string()});
-        CHECK(false);
-    } catch (const mirrorball::Error& error) {
-        CHECK(error.kind() == mirrorball::ErrorKind::notFound);
-    }
+    CHECK_THROWS(readReports({folder.string()}), mirrorball::ErrorKind::notFound);
     std::filesystem::remove_all(folder);
 }
 
@@ -224,8 +250,8 @@ void foldersAreRead()
 int main()
 {
     whatIsReadIsWhatWasWritten();
-    earlierReportsAreRead();
     brokenReportsAreNamed();
+    brokenLookUpsAreNamed();
     laterRowsReplaceEarlierOnes();
     foldersAreRead();
 }

@@ -22,9 +22,14 @@ void requireWritten(bool isWritten, const std::filesystem::path& path)
 
 void writeFile(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write)
 {
-    std::ofstream out(path);
+    // Whole or not at all: it may replace the only copy of rows that it holds.
+    const std::filesystem::path unfinished = path.string() + ".part";
+    std::ofstream out(unfinished);
     write(out);
     requireWritten(static_cast<bool>(out.flush()), path);
+    std::error_code problem;
+    std::filesystem::rename(unfinished, path, problem);
+    requireWritten(!problem, path);
 }
 
 } // namespace
@@ -37,16 +42,23 @@ void makeFolder(const std::filesystem::path& folder)
 }
 
 void writeFiles(const std::filesystem::path& folder, const Results& results,
-                const Circumstances& circumstances)
+                const Circumstances& circumstances, std::string_view changedScene)
 {
     if (!results.captures.empty())
         writeFile(folder / "benchmark.csv", [&](std::ostream& out) { writeCsv(out, results.captures); });
     if (!results.lookUps.empty())
         writeFile(folder / "look_ups.csv", [&](std::ostream& out) { writeCsv(out, results.lookUps); });
-    writePlots(folder, results.captures);
-    writePlots(folder, results.lookUps);
+    const auto hasChanged = [&](const auto& scene) {
+        return changedScene.empty() || changedScene == sceneOf(scene.front());
+    };
     for (const std::span<const Row> scene : byScene(results.captures))
-        writeFile(folder / pageOf(scene), [&](std::ostream& out) { writeScene(out, scene); });
+        if (hasChanged(scene)) {
+            writePlots(folder, scene);
+            writeFile(folder / pageOf(scene), [&](std::ostream& out) { writeScene(out, scene); });
+        }
+    for (const std::span<const LookUpRow> scene : byScene(results.lookUps))
+        if (hasChanged(scene))
+            writePlots(folder, scene);
     writeFile(folder / "README.md", [&](std::ostream& out) { writeReport(out, results, circumstances); });
 }
 

@@ -4,15 +4,16 @@
 #include "results.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace tests::benchmark {
 
 // Throws mirrorball::Error, unwritable.
 void makeFolder(const std::filesystem::path& folder);
 
-// Summary, tables and plots of all that was measured: called after every group, so that a run that is cut off leaves a
-// whole report of what it did.
+// Summary, tables and plots: called after every group, so that a run that is cut off leaves a whole report of what it
+// did. Plots take a while; where a scene is named, only its are drawn.
 void writeFiles(const std::filesystem::path& folder, const Results& results,
-                const Circumstances& circumstances);
+                const Circumstances& circumstances, std::string_view changedScene = {});
 
 } // namespace tests::benchmark

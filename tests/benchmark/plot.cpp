@@ -60,7 +60,9 @@ std::vector<std::string> namesOf(std::span<const RowType> scene, const Measure<R
     return names;
 }
 
-void writeScenePlots(const std::filesystem::path& folder, std::span<const Row> scene)
+} // namespace
+
+void writePlots(const std::filesystem::path& folder, std::span<const Row> scene)
 {
     const Row& first = scene.front();
     for (const Measure<Row>& measure : captureMeasures) {
@@ -83,7 +85,7 @@ void writeScenePlots(const std::filesystem::path& folder, std::span<const Row> s
     }
 }
 
-void writeScenePlots(const std::filesystem::path& folder, std::span<const LookUpRow> scene)
+void writePlots(const std::filesystem::path& folder, std::span<const LookUpRow> scene)
 {
     const LookUpRow& first = scene.front();
     const std::string name(sceneOf(first)), n = std::to_string(first.cubeN);
@@ -101,20 +103,6 @@ void writeScenePlots(const std::filesystem::path& folder, std::span<const LookUp
                          "of other n"},
                         points);
     }
-}
-
-} // namespace
-
-void writePlots(const std::filesystem::path& folder, const std::vector<Row>& rows)
-{
-    for (const std::span<const Row> scene : byScene(rows))
-        writeScenePlots(folder, scene);
-}
-
-void writePlots(const std::filesystem::path& folder, const std::vector<LookUpRow>& rows)
-{
-    for (const std::span<const LookUpRow> scene : byScene(rows))
-        writeScenePlots(folder, scene);
 }
 
 std::vector<std::string> plotNames(std::span<const Row> scene)

@@ -8,6 +8,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <map>
 #include <ostream>
 
@@ -15,7 +16,35 @@ namespace tests::benchmark {
 
 namespace {
 
-// How many rows each run gave, where there was more than this one.
+bool isJoined(const Results& results, const Circumstances& circumstances)
+{
+    const auto isEarlier = [&](const auto& row) { return row.run != circumstances.run; };
+    return std::ranges::any_of(results.captures, isEarlier) ||
+           std::ranges::any_of(results.lookUps, isEarlier);
+}
+
+void writeCircumstances(std::ostream& out, const Results& results, const Circumstances& circumstances)
+{
+    const bool joined = isJoined(results, circumstances);
+    out << "# Run time against error\n\n"
+        << "Written by `" << circumstances.command
+        << "`. docs/benchmark.md says how to read and repeat it.\n\n"
+        << "- " << circumstances.driver << "\n- " << processor() << "\n- " << circumstances.run;
+    if (joined)
+        out << ", joined with rows of [earlier runs](#runs)";
+    out << "\n- medians of "
+        << (joined ? "as many frames as the CSV files say" : std::to_string(circumstances.frames) + " frames")
+        << " a contender, drawn in turn; the ratios are to the culled six-pass cube of the same scene, size "
+           "and "
+           "back-face culling, and mean more than the times\n";
+    if (!circumstances.isComplete)
+        out << "- **cut off**: what follows is all that had been measured\n";
+    for (const std::string& scene : circumstances.missingScenes)
+        out << "- scene `" << scene << "` left out of this run: its file is not there\n";
+    out << '\n';
+}
+
+// How many rows each run gave.
 void writeRuns(std::ostream& out, const Results& results)
 {
     struct Counts
@@ -30,34 +59,15 @@ void writeRuns(std::ostream& out, const Results& results)
     }
     for (const LookUpRow& row : results.lookUps)
         ++runs[row.run].lookUps;
-    if (runs.size() < 2)
-        return;
-    out << "## Runs\n\nRows of earlier runs were taken over, the last one's of each contender; each row "
-           "names its "
-           "run in the CSV files. Errors may have been told by a later run than the times: they are the same "
-           "in all "
-           "runs.\n\n| run | rows with times of pass 1 | with errors of pass 1 | of look-ups "
-           "|\n|---|---|---|---|\n";
+    out << "## Runs\n\nOf each contender stands the row of the report that was read last. Each row names its "
+           "run in "
+           "the CSV files, and of pass 1 the run that told its errors, which may be a later one: the "
+           "machine's load "
+           "does not change them.\n\n"
+           "| run | rows with times of pass 1 | with errors of pass 1 | of look-ups |\n|---|---|---|---|\n";
     for (const auto& [name, counts] : runs)
         out << "| " << name << " | " << counts.times << " | " << counts.errors << " | " << counts.lookUps
             << " |\n";
-    out << '\n';
-}
-
-void writeCircumstances(std::ostream& out, const Circumstances& circumstances)
-{
-    out << "# Run time against error\n\n"
-        << "Written by `" << circumstances.command
-        << "`. docs/benchmark.md says how to read and repeat it.\n\n"
-        << "- " << circumstances.driver << "\n- " << processor() << "\n- " << circumstances.run
-        << "\n- medians of " << circumstances.frames
-        << " frames a contender, drawn in turn; the ratios are to the culled six-pass cube of the same "
-           "scene, "
-           "size and back-face culling, and mean more than the times\n";
-    if (!circumstances.isComplete)
-        out << "- **cut off**: what follows is all that had been measured\n";
-    for (const std::string& scene : circumstances.missingScenes)
-        out << "- scene `" << scene << "` left out: its file is not there\n";
     out << '\n';
 }
 
@@ -96,7 +106,8 @@ void writeAims(std::ostream& out, const std::vector<Aims>& scenes)
            "coarsest "
            "setting, half a texel; where `exact` has no wrong texel, half a one counts. `exact` / "
            "`perVertex` is an aim "
-           "of `crowd-200k` only. Missed aims are bold.\n\n| scene |";
+           "of `crowd-200k` only. Missed aims are bold; – is what was not measured, or not in one run.\n\n| "
+           "scene |";
     for (const AimInfo& info : aimInfos())
         out << ' ' << info.what << " |";
     out << "\n|---|";
@@ -259,7 +270,7 @@ void writeCaptures(std::ostream& out, const std::vector<Row>& rows)
 
 void writeReport(std::ostream& out, const Results& results, const Circumstances& circumstances)
 {
-    writeCircumstances(out, circumstances);
+    writeCircumstances(out, results, circumstances);
     if (!results.captures.empty())
         writeCaptures(out, results.captures);
     if (!results.lookUps.empty()) {
@@ -267,7 +278,8 @@ void writeReport(std::ostream& out, const Results& results, const Circumstances&
         for (const std::span<const LookUpRow> scene : byScene(results.lookUps))
             writePlotLinks(out, plotNames(scene));
     }
-    writeRuns(out, results);
+    if (isJoined(results, circumstances))
+        writeRuns(out, results);
 }
 
 void writeScene(std::ostream& out, std::span<const Row> scene)

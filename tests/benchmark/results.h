@@ -1,4 +1,4 @@
-// All that a run has measured so far.
+// All that a report has.
 #pragma once
 
 #include "look_up_run.h"

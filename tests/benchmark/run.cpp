@@ -144,9 +144,10 @@ bool isJudged(const Row& row, const Options& options)
     const auto isAskedFor = [](const auto& list, const auto& value) {
         return list.empty() || std::ranges::count(list, value) > 0;
     };
-    return row.errors && isThere(*row.group.scene) && isAskedFor(options.scenes, row.group.scene->name) &&
-           isAskedFor(options.maps, row.entry.map) && isAskedFor(options.methods, row.entry.methodName()) &&
-           isAskedFor(options.sizes, row.group.cubeN);
+    const bool isDrawable = !row.entry.rival || isSupported(*row.entry.rival);
+    return row.errors && isDrawable && isThere(*row.group.scene) &&
+           isAskedFor(options.scenes, row.group.scene->name) && isAskedFor(options.maps, row.entry.map) &&
+           isAskedFor(options.methods, row.entry.methodName()) && isAskedFor(options.sizes, row.group.cubeN);
 }
 
 } // namespace
@@ -190,7 +191,7 @@ double judgeSteps(const std::vector<Row>& rows, const Options& options)
 }
 
 void judge(std::vector<Row>& rows, const Options& options, const std::string& name, Progress& progress,
-           const std::function<void()>& afterGroup)
+           const std::function<void(std::string_view)>& afterGroup)
 {
     CapturePrograms programs;
     std::unique_ptr<LoadedScene> loaded; // for one size, as rays of all would take gigabytes
@@ -200,7 +201,7 @@ void judge(std::vector<Row>& rows, const Options& options, const std::string& na
             continue;
         if (!loaded || &loaded->stage().choice() != row.group.scene || cubeN != row.group.cubeN) {
             if (loaded)
-                afterGroup();
+                afterGroup(loaded->stage().choice().name);
             progress.label(std::string(row.group.scene->name) +
                            ", errors, n = " + std::to_string(row.group.cubeN));
             loaded.reset();
@@ -211,6 +212,8 @@ void judge(std::vector<Row>& rows, const Options& options, const std::string& na
         row.errorsRun = name;
         progress.advance(weightOf(row.group));
     }
+    if (loaded)
+        afterGroup(loaded->stage().choice().name);
 }
 
 } // namespace tests::benchmark

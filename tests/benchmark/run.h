@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tests::benchmark {
@@ -44,10 +45,10 @@ std::vector<Row> run(const std::vector<Group>& plan, int frames, const std::stri
 double stepsOf(const std::vector<Group>& plan, int frames);
 
 // Tells the errors of rows anew, whose times stay: of those that have errors, and that the options ask for by scene,
-// map, method and size. Rows of scenes whose file is not there stay as they are. `afterGroup` is called after each
-// scene and size.
+// map, method and size. Rows of scenes whose file is not there stay as they are. `afterGroup` is called with a scene's
+// name after each of its sizes.
 void judge(std::vector<Row>& rows, const Options& options, const std::string& name, Progress& progress,
-           const std::function<void()>& afterGroup);
+           const std::function<void(std::string_view)>& afterGroup);
 
 // The steps that judge() will report.
 double judgeSteps(const std::vector<Row>& rows, const Options& options);

@@ -1,6 +1,7 @@
 // A run of the benchmark in small: its files appear, its counts are exact, its ratios are numbers.
 #include "look_up_report.h"
 #include "look_up_run.h"
+#include "merge.h"
 #include "output.h"
 #include "plan.h"
 #include "run.h"
@@ -158,6 +159,35 @@ void filesAppear(const std::filesystem::path& folder, const Results& results)
     }
 }
 
+// A report has rows in the order of its plan, also where nothing is joined.
+void joiningKeepsAPlansOrder(const Results& results)
+{
+    const Results same = merged({}, results);
+    CHECK(same.captures.size() == results.captures.size() && same.lookUps.size() == results.lookUps.size());
+    for (std::size_t index = 0; index < results.captures.size(); ++index) {
+        const Row &row = same.captures[index], &planned = results.captures[index];
+        CHECK(isSameGroup(row.group, planned.group) && row.entry.methodName() == planned.entry.methodName());
+        CHECK(row.entry.map == planned.entry.map && row.entry.sizing == planned.entry.sizing);
+    }
+    for (std::size_t index = 0; index < results.lookUps.size(); ++index)
+        CHECK(same.lookUps[index].ratio == results.lookUps[index].ratio);
+}
+
+// Where a row is of another run, the report says which rows are of which.
+void runsAreTold(const std::filesystem::path& folder, Results results, const Circumstances& circumstances)
+{
+    CHECK(!says(folder / "README.md", "## Runs") && says(folder / "README.md", "medians of 2 frames"));
+    results.captures.back().run = "yesterday";
+    results.lookUps.back().run = "long ago";
+    writeFiles(folder, results, circumstances);
+    CHECK(says(folder / "README.md", "## Runs"));
+    CHECK(says(folder / "README.md", "| yesterday | 1 | 0 | 0 |\n"));
+    CHECK(says(folder / "README.md", "| long ago | 0 | 0 | 1 |\n"));
+    CHECK(says(folder / "README.md", "| tiny | " + std::to_string(results.captures.size() - 1) + " | " +
+                                         std::to_string(results.captures.size()) + " | " +
+                                         std::to_string(results.lookUps.size() - 1) + " |\n"));
+}
+
 // Errors are the same whenever they are told; of rows that are not asked for they stay, and so do all times.
 void errorsAreToldAnew(const std::vector<Row>& rows)
 {
@@ -167,7 +197,9 @@ void errorsAreToldAnew(const std::vector<Row>& rows)
     Options options;
     options.methods = {"exact"};
     Progress progress(judgeSteps(again, options));
-    judge(again, options, "later", progress, [] {});
+    std::vector<std::string_view> changed;
+    judge(again, options, "later", progress, [&](std::string_view scene) { changed.push_back(scene); });
+    CHECK(changed == std::vector<std::string_view>{"cards"});
     std::size_t judged = 0;
     for (std::size_t index = 0; index < rows.size(); ++index) {
         const bool isAskedFor = rows[index].entry.methodName() == "exact";
@@ -263,7 +295,7 @@ int main()
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("mirrorball_tiny_run_" + std::to_string(getpid()));
     makeFolder(folder);
-    Circumstances circumstances{context.description(), "benchmark", 2, {}};
+    Circumstances circumstances{context.description(), "benchmark", 2, {}, true, "tiny"};
     Results results;
 
     const std::vector<Group> plan = makePlan(tinyOptions(), circumstances.missingScenes);
@@ -284,6 +316,8 @@ int main()
 
     writeFiles(folder, results, circumstances);
     filesAppear(folder, results);
+    joiningKeepsAPlansOrder(results);
+    runsAreTold(folder, results, circumstances);
     emptyTablesAreLeftOut(folder, results, circumstances);
     std::filesystem::remove_all(folder);
 
