@@ -36,8 +36,8 @@ std::vector<RowType> mergedRows(std::vector<RowType> earlier, const std::vector<
     // Of equal ones the later stands first, and is kept.
     earlier.insert(earlier.begin(), later.begin(), later.end());
     std::ranges::stable_sort(earlier, {}, [](const RowType& row) { return contender(row); });
-    const auto rest = std::ranges::unique(earlier, {}, [](const RowType& row) { return contender(row); });
-    earlier.erase(rest.begin(), rest.end());
+    const auto isSame = [](const RowType& a, const RowType& b) { return contender(a) == contender(b); };
+    earlier.erase(std::unique(earlier.begin(), earlier.end(), isSame), earlier.end());
     return earlier;
 }
 
