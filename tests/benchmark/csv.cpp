@@ -362,6 +362,8 @@ std::vector<Column<LookUpRow>> lookUpColumns()
         pictureError("psnr_db", &ParallaxErrors::psnr),
         pictureError("flip", &ParallaxErrors::flip),
         cell<LookUpRow>(
+            "costs_of", [](auto& row) -> auto& { return row.costsOf; }),
+        cell<LookUpRow>(
             "run", [](auto& row) -> auto& { return row.run; }),
     };
 }

@@ -241,6 +241,7 @@ void foldersAreRead()
     std::ofstream(folder / "b" / "look_ups.csv") << textOf(lookUps);
     const Results results = readReports({(folder / "a").string(), (folder / "b").string()});
     CHECK(textOf(results.captures) == textOf(captures) && textOf(results.lookUps) == textOf(lookUps));
+    CHECK(results.lookUps.front().costsOf == "CPU" && results.lookUps.front().run == "second");
     CHECK_THROWS(readReports({folder.string()}), mirrorball::ErrorKind::notFound);
     std::filesystem::remove_all(folder);
 }
