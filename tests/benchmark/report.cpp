@@ -33,8 +33,9 @@ void writeCircumstances(std::ostream& out, const Results& results, const Circums
     if (joined)
         out << ", joined with rows of [earlier runs](#runs)";
     out << "\n- medians of "
-        << (joined ? "as many frames as the CSV files say" : std::to_string(circumstances.frames) + " frames")
-        << " a contender, drawn in turn; the ratios are to the culled six-pass cube of the same scene, size "
+        << (joined ? "a contender's frames (column `frames` of the CSV files)"
+                   : std::to_string(circumstances.frames) + " frames a contender")
+        << ", drawn in turn; the ratios are to the culled six-pass cube of the same scene, size "
            "and "
            "back-face culling, and mean more than the times\n";
     if (!circumstances.isComplete)
