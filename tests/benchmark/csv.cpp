@@ -393,6 +393,8 @@ std::vector<std::string> cellsOf(const std::string& line)
             cells.emplace_back();
         else
             cells.back() += letter;
+    if (isQuoted)
+        throw BadCell{"a quotation mark is not closed"};
     return cells;
 }
 

@@ -87,6 +87,10 @@ Results measured(const Options& options, Circumstances& circumstances, const Wri
         plan = makePlan(options, circumstances.missingScenes);
     if (isMeasured(Part::lookUps, options))
         lookUpPlan = makeLookUpPlan(options, circumstances.missingScenes);
+    if (plan.empty() && lookUpPlan.empty() && circumstances.missingScenes.empty())
+        throw mirrorball::Error(
+            mirrorball::ErrorKind::badArgument, "--scene", "none that was asked for is one of this --part's",
+            "look-ups are in room, garden, house and bathroom, captures in all but bathroom");
     if (plan.empty() && lookUpPlan.empty())
         throw mirrorball::Error(mirrorball::ErrorKind::notFound, "the scenes of a benchmark",
                                 "none of their files is there", "install assimp-testmodels and glmark2-data");

@@ -156,6 +156,7 @@ void brokenReportsAreNamed()
     CHECK(has(problem("1.25", "nan"), "'nan' is not finite"));
     CHECK(has(problem("1.25,1.25,", "1.25,0,"), "a ratio is not positive"));
     CHECK(has(problem("\"first\",", ""), "line 2: it has"));
+    CHECK(has(problem("\"first\"", "\"first"), "line 2: a quotation mark is not closed"));
     CHECK(has(problem("wall_ratio", "wall"), "line 1: 'wall_ratio' does not name one column"));
     CHECK(has(problemOf("", readCaptures), "line 1"));
 }

@@ -103,7 +103,9 @@ void writeAims(std::ostream& out, const std::vector<Aims>& scenes)
 {
     if (scenes.empty())
         return;
-    out << "## Aims\n\nBest cube: the fastest by hand, with the same back faces culled. Tessellated: at its "
+    out << "## Aims\n\nBest cube: the fastest by hand, with the same back faces culled; beside it the "
+           "cheaper of both "
+           "tennis-ball maps. Tessellated: at its "
            "coarsest "
            "setting, half a texel; where `exact` has no wrong texel, half a one counts. `exact` / "
            "`perVertex` is an aim "
@@ -288,6 +290,10 @@ void writeScene(std::ostream& out, std::span<const Row> scene)
     out << "# Pass 1 in " << sceneOf(scene.front()) << "\n\n"
         << scene.front().sceneTriangles
         << " triangles. The [report](README.md) sums up; docs/benchmark.md says what the columns mean.\n\n";
+    if (std::ranges::any_of(scene, [&](const Row& row) { return row.run != scene.front().run; }))
+        out << "Rows are of several runs (column `run` of benchmark.csv). Ratios are those to the cubes of "
+               "each "
+               "row's own run; here stand the cubes of one.\n\n";
     writePlotLinks(out, plotNames(scene));
     writeTables(out, scene);
 }
