@@ -1,141 +1,16 @@
 #include "csv.h"
 
-#include <mirrorball/error.h>
+#include "csv_table.h"
 
 #include <glm/trigonometric.hpp>
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <functional>
-#include <iomanip>
-#include <istream>
-#include <iterator>
-#include <ostream>
-#include <sstream>
 #include <string_view>
-#include <utility>
 
 namespace tests::benchmark {
 
 namespace {
 
 constexpr std::string_view eightBit = ", 8-bit formats";
-
-template <class RowType>
-struct Column
-{
-    const char* name;
-    std::function<std::string(const RowType&)> text;
-    std::function<void(RowType&, const std::string&)> set; // what `text` gave
-};
-
-// What is wrong with a cell; its file and row are added where they are known.
-struct BadCell
-{
-    std::string what;
-};
-
-std::string spelled(double value)
-{
-    std::ostringstream out;
-    out << std::setprecision(6) << value;
-    return out.str();
-}
-
-std::string spelled(int value)
-{
-    return std::to_string(value);
-}
-
-std::string spelled(std::size_t value)
-{
-    return std::to_string(value);
-}
-
-std::string spelled(bool value)
-{
-    return value ? "1" : "0";
-}
-
-// Texts that hold commas are quoted.
-std::string inQuotes(std::string_view text)
-{
-    return "\"" + std::string(text) + "\"";
-}
-
-std::string spelled(const std::string& text)
-{
-    return inQuotes(text);
-}
-
-template <class Value>
-std::string spelled(const std::optional<Value>& value)
-{
-    return value ? spelled(*value) : "";
-}
-
-template <class Number>
-void parseNumber(const std::string& text, Number& value)
-{
-    const char* const end = text.data() + text.size();
-    const auto [stop, problem] = std::from_chars(text.data(), end, value);
-    if (problem != std::errc() || stop != end)
-        throw BadCell{"'" + text + "' is not a number of its kind"};
-}
-
-void parse(const std::string& text, double& value)
-{
-    parseNumber(text, value);
-    if (!std::isfinite(value))
-        throw BadCell{"'" + text + "' is not finite"};
-}
-
-void parse(const std::string& text, int& value)
-{
-    parseNumber(text, value);
-}
-
-void parse(const std::string& text, std::size_t& value)
-{
-    parseNumber(text, value);
-}
-
-bool isFirst(const std::string& text, std::string_view first, std::string_view second)
-{
-    if (text != first && text != second)
-        throw BadCell{"'" + text + "' is neither '" + std::string(first) + "' nor '" + std::string(second) +
-                      "'"};
-    return text == first;
-}
-
-void parse(const std::string& text, bool& value)
-{
-    value = isFirst(text, "1", "0");
-}
-
-void parse(const std::string& text, std::string& value)
-{
-    value = text;
-}
-
-template <class Value>
-void parse(const std::string& text, std::optional<Value>& value)
-{
-    value.reset();
-    if (!text.empty())
-        parse(text, value.emplace());
-}
-
-// Which of a list has this name.
-template <class List, class NameOf>
-const auto& named(const List& list, const std::string& text, const char* what, NameOf nameOf)
-{
-    const auto found = std::ranges::find_if(list, [&](const auto& each) { return nameOf(each) == text; });
-    if (found == std::end(list))
-        throw BadCell{"'" + text + "' is no " + what + " of the benchmark's"};
-    return *found;
-}
 
 mirrorball::MapKind mapNamed(const std::string& text)
 {
@@ -161,21 +36,6 @@ void setMethod(Row& row, const std::string& text)
     else
         row.entry.method =
             &named(libraryMethods(), name, "method", [](const LibraryMethod& method) { return method.name; });
-}
-
-// A cell that `reach`, given a row, refers to.
-template <class RowType, class Reach>
-Column<RowType> cell(const char* name, Reach reach)
-{
-    return {name, [=](const RowType& row) { return spelled(reach(row)); },
-            [=](RowType& row, const std::string& text) { parse(text, reach(row)); }};
-}
-
-// One that follows from others.
-template <class RowType>
-Column<RowType> derived(const char* name, std::function<std::string(const RowType&)> text)
-{
-    return {name, std::move(text), [](RowType&, const std::string&) {}};
 }
 
 // One of a part that a row need not have; `part`, given a row, is it.
@@ -368,36 +228,6 @@ std::vector<Column<LookUpRow>> lookUpColumns()
     };
 }
 
-template <class RowType>
-void write(std::ostream& out, const std::vector<Column<RowType>>& columns, const std::vector<RowType>& rows)
-{
-    for (std::size_t index = 0; index < columns.size(); ++index)
-        out << (index > 0 ? "," : "") << columns[index].name;
-    out << '\n';
-    for (const RowType& row : rows) {
-        for (std::size_t index = 0; index < columns.size(); ++index)
-            out << (index > 0 ? "," : "") << columns[index].text(row);
-        out << '\n';
-    }
-}
-
-// A quote changes whether a comma ends the cell.
-std::vector<std::string> cellsOf(const std::string& line)
-{
-    std::vector<std::string> cells(1);
-    bool isQuoted = false;
-    for (const char letter : line)
-        if (letter == '"')
-            isQuoted = !isQuoted;
-        else if (letter == ',' && !isQuoted)
-            cells.emplace_back();
-        else
-            cells.back() += letter;
-    if (isQuoted)
-        throw BadCell{"a quotation mark is not closed"};
-    return cells;
-}
-
 // What numbers must be for a report to be made of them.
 void requireUsable(const Row& row)
 {
@@ -416,63 +246,21 @@ void requireUsable(const LookUpRow& row)
         throw BadCell{"a ratio or time is not positive"};
 }
 
-template <class RowType>
-RowType rowOf(const std::vector<std::string>& names, const std::vector<std::string>& cells,
-              const std::vector<Column<RowType>>& columns)
-{
-    if (cells.size() != names.size())
-        throw BadCell{"it has " + std::to_string(cells.size()) + " cells, and " +
-                      std::to_string(names.size()) + " columns have names"};
-    RowType row{};
-    for (const Column<RowType>& column : columns) {
-        const auto place = std::ranges::find(names, column.name) - names.begin();
-        try {
-            column.set(row, cells[static_cast<std::size_t>(place)]);
-        } catch (const BadCell& bad) {
-            throw BadCell{std::string(column.name) + ": " + bad.what};
-        }
-    }
-    requireUsable(row);
-    return row;
-}
-
-template <class RowType>
-std::vector<RowType> read(std::istream& in, const std::string& name,
-                          const std::vector<Column<RowType>>& columns)
-{
-    std::vector<RowType> rows;
-    std::size_t number = 1;
-    try {
-        std::string line;
-        std::getline(in, line);
-        const std::vector<std::string> names = cellsOf(line);
-        for (const Column<RowType>& column : columns)
-            if (std::ranges::count(names, column.name) != 1)
-                throw BadCell{"'" + std::string(column.name) + "' does not name one column"};
-        for (++number; std::getline(in, line); ++number)
-            rows.push_back(rowOf(names, cellsOf(line), columns));
-    } catch (const BadCell& bad) {
-        throw mirrorball::Error(mirrorball::ErrorKind::badFile, name + ", line " + std::to_string(number),
-                                bad.what, "name a report that this version wrote");
-    }
-    return rows;
-}
-
 } // namespace
 
 void writeCsv(std::ostream& out, const std::vector<Row>& rows)
 {
-    write(out, captureColumns(), rows);
+    writeTable(out, captureColumns(), rows);
 }
 
 void writeCsv(std::ostream& out, const std::vector<LookUpRow>& rows)
 {
-    write(out, lookUpColumns(), rows);
+    writeTable(out, lookUpColumns(), rows);
 }
 
 std::vector<Row> readCaptures(std::istream& in, const std::string& name)
 {
-    std::vector<Row> rows = read(in, name, captureColumns());
+    std::vector<Row> rows = readTable(in, name, captureColumns(), requireUsable);
     for (Row& row : rows) {
         row.measures = measuresOf(row.entry.map, row.entry.n);
         const bool isOwn = row.group.isRivalCheck && row.sceneVertices == 3 * row.sceneTriangles;
@@ -483,7 +271,7 @@ std::vector<Row> readCaptures(std::istream& in, const std::string& name)
 
 std::vector<LookUpRow> readLookUps(std::istream& in, const std::string& name)
 {
-    return read(in, name, lookUpColumns());
+    return readTable(in, name, lookUpColumns(), requireUsable);
 }
 
 } // namespace tests::benchmark
